@@ -1,0 +1,135 @@
+// Copyright (c) 2026 The Spider developers.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPIDER_CURVATURE_ESTIMATOR_H
+#define CGAL_SPIDER_CURVATURE_ESTIMATOR_H
+
+#include <CGAL/Spider/Curvature_estimate_3.h>
+#include <CGAL/Spider/estimate_curvature.h>
+#include <CGAL/Spider/internal/Mesh_inputs.h>
+#include <CGAL/Spider/internal/Mesh_snapshot.h>
+#include <CGAL/Spider/internal/Spider_engine.h>
+#include <CGAL/Spider/internal/neighbourhood_normals.h>
+
+#include <array>
+#include <vector>
+
+namespace CGAL {
+namespace Spider {
+
+/*!
+\ingroup PkgSpiderClasses
+
+The answers of `estimate_curvature()` and `estimate_normal()` for many queries to one mesh.
+
+Construction reads the mesh and the parameters once, in time and memory linear in the size of the mesh, into a compact
+copy; after that the mesh isn't looked at any more, and changes to it don't show. Queries may come from several threads
+at once.
+
+\tparam TriangleMesh a model of `FaceGraph`
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+*/
+template <typename TriangleMesh, typename NamedParameters = CGAL::parameters::Default_named_parameters>
+class Curvature_estimator
+{
+  using Inputs = internal::Mesh_inputs<TriangleMesh, NamedParameters>;
+  using Scalar = typename Inputs::Scalar;
+  using Snapshot = internal::Mesh_snapshot<Scalar>;
+  using Normal = internal::Vec3<Scalar>;
+  using Vertex = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+  using Face = typename boost::graph_traits<TriangleMesh>::face_descriptor;
+
+public:
+  using Result_traits = typename Inputs::Result_traits;
+  using Estimate = Curvature_estimate_3<Result_traits>; ///< the type of the answers
+  using Vector_3 = typename Result_traits::Vector_3;
+
+  /// reads a mesh; the named parameters are those of `estimate_curvature()`.
+  /// \throw std::invalid_argument if a parameter is out of its range, or a face isn't a triangle
+  explicit Curvature_estimator(const TriangleMesh& tmesh,
+                               const NamedParameters& np = CGAL::parameters::default_values())
+    : Curvature_estimator(tmesh, Inputs(tmesh, np))
+  {
+  }
+
+  /// returns the estimate at a vertex, or at a point of a face given as a `Face_location`.
+  template <typename Query>
+  Estimate operator()(const Query& query) const
+  {
+    const internal::Site<Snapshot> site = locate(query);
+    internal::Spider_engine<Snapshot> engine(mesh_, options_);
+    return internal::to_result<Result_traits>(engine(site, radius_at(site), first_normal(site)));
+  }
+
+  /// returns the normal as `estimate_normal()` does.
+  template <typename Query>
+  Vector_3 normal(const Query& query) const
+  {
+    return internal::from_vec3<Vector_3>(first_normal(locate(query)));
+  }
+
+private:
+  Curvature_estimator(const TriangleMesh& tmesh, const Inputs& inputs)
+    : options_(inputs.options), vertices_(CGAL::vertices(tmesh)), faces_(CGAL::faces(tmesh)),
+      mesh_(tmesh, inputs.view, vertices_, faces_)
+  {
+    if constexpr(Inputs::has_radius_map())
+      for(std::size_t v = 0; v < vertices_.size(); ++v)
+        radii_.push_back(inputs.radius_at(vertices_[v]));
+    else if(vertices_.size() > 0)
+      radii_.push_back(inputs.radius_at(vertices_[0]));
+
+    if constexpr(Inputs::has_given_normals)
+      for(std::size_t v = 0; v < vertices_.size(); ++v)
+        normals_.push_back(inputs.given_normal_at(vertices_[v]));
+    else if(options_.first_normal == neighbourhood)
+      normals_ = internal::neighbourhood_normals(mesh_, [&](std::uint32_t v) { return radius_at_vertex(v); });
+  }
+
+  template <typename Query>
+  internal::Site<Snapshot> locate(const Query& query) const
+  {
+    if constexpr(std::is_convertible<Query, Vertex>::value)
+    {
+      const std::size_t v = vertices_(query);
+      internal::check_parameter(v < vertices_.size(), "the rank of query", v, "give a vertex of tmesh");
+      return internal::site_at_vertex(mesh_, static_cast<std::uint32_t>(v));
+    }
+    else
+    {
+      const std::size_t f = faces_(query.first);
+      internal::check_parameter(f < faces_.size(), "the rank of query's face", f, "give a face of tmesh");
+      return internal::site_of(mesh_, std::make_pair(static_cast<std::uint32_t>(f), query.second));
+    }
+  }
+
+  Scalar radius_at_vertex(std::uint32_t v) const { return radii_.size() == 1 ? radii_[0] : radii_[v]; }
+
+  Scalar radius_at(const internal::Site<Snapshot>& site) const
+  {
+    return internal::interpolate(site, [&](std::uint32_t v) { return radius_at_vertex(v); });
+  }
+
+  Normal first_normal(const internal::Site<Snapshot>& site) const
+  {
+    return internal::first_normal_of(mesh_, site, radius_at(site), Inputs::has_given_normals, options_.first_normal,
+                                     [&](std::uint32_t v) -> Normal {
+                                       return normals_.empty()
+                                                ? internal::neighbourhood_normal_at_vertex(mesh_, v, radius_at_vertex(v))
+                                                : normals_[v];
+                                     });
+  }
+
+  internal::Options<Scalar> options_;
+  internal::Ranks<Vertex> vertices_;
+  internal::Ranks<Face> faces_;
+  Snapshot mesh_;
+  std::vector<Scalar> radii_;   ///< one for all, or one per vertex
+  std::vector<Normal> normals_; ///< per vertex; none if they are found where they are needed
+};
+
+} // namespace Spider
+} // namespace CGAL
+
+#endif // CGAL_SPIDER_CURVATURE_ESTIMATOR_H

@@ -1,0 +1,136 @@
+// Copyright (c) 2026 The Spider developers.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPIDER_ESTIMATE_CURVATURE_H
+#define CGAL_SPIDER_ESTIMATE_CURVATURE_H
+
+#include <CGAL/Spider/Curvature_estimate_3.h>
+#include <CGAL/Spider/estimate_normal.h>
+#include <CGAL/Spider/internal/Spider_engine.h>
+
+namespace CGAL {
+namespace Spider {
+namespace internal {
+
+/// carries an estimate into the caller's kernel.
+template <typename GT, typename Scalar>
+Curvature_estimate_3<GT> to_result(const Estimate<Scalar>& estimate)
+{
+  using FT = typename GT::FT;
+  using Vector_3 = typename GT::Vector_3;
+  Curvature_estimate_3<GT> result;
+  result.min_curvature = static_cast<FT>(estimate.min_curvature);
+  result.max_curvature = static_cast<FT>(estimate.max_curvature);
+  result.min_direction = from_vec3<Vector_3>(estimate.min_direction);
+  result.max_direction = from_vec3<Vector_3>(estimate.max_direction);
+  result.normal = from_vec3<Vector_3>(estimate.normal);
+  result.status = estimate.status;
+  result.coverage = static_cast<FT>(estimate.coverage);
+  result.residual = static_cast<FT>(estimate.residual);
+  return result;
+}
+
+} // namespace internal
+
+/*!
+\ingroup PkgSpiderEstimation
+
+estimates the normal and the principal curvatures at one point. For many points of one mesh
+`estimate_vertex_curvatures()`, `estimate_curvatures()` and `Curvature_estimator` are faster.
+
+The answer is that of the last round: with the normal of the round before, all limbs of the spider are walked and
+resampled, a polynomial is fitted along each direction, the orthogonal pair of directions whose curvatures differ most is
+taken as the principal one, and the average of its two normals is the new normal (paper, 2.2 to 2.4).
+
+With the default `first_normal` and a given radius it takes time linear in the number of faces crossed, whatever the size
+of the mesh.
+
+\tparam TriangleMesh a model of `FaceGraph`
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param query a vertex of `tmesh`, or a point of a face as a `CGAL::Polygon_mesh_processing::Face_location`
+\param tmesh a triangle mesh; it is only read
+\param np an optional sequence of named parameters among the ones listed below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{geodesic_radius}
+    \cgalParamDescription{the length that limbs grow to, in the mesh's units: the size of the smallest feature of interest}
+    \cgalParamType{a number, or a readable property map from vertices to numbers}
+    \cgalParamDefault{4 times the mean edge length}
+    \cgalParamExtra{larger radii suppress more noise and blur more; the default takes a pass over all edges}
+  \cgalParamNEnd
+  \cgalParamNBegin{number_of_directions}
+    \cgalParamDescription{number of directions, spaced regularly over a half turn, with two limbs each}
+    \cgalParamType{an even integer from 2 to 65536}
+    \cgalParamDefault{64 (paper, 2.6)}
+  \cgalParamNEnd
+  \cgalParamNBegin{estimator}
+    \cgalParamDescription{how samples become curvatures}
+    \cgalParamType{`Spider::Estimator`}
+    \cgalParamDefault{`Spider::section_fit`}
+  \cgalParamNEnd
+  \cgalParamNBegin{polynomial_degree}
+    \cgalParamDescription{degree of the fitted polynomials}
+    \cgalParamType{2, 3 or 4}
+    \cgalParamDefault{2}
+  \cgalParamNEnd
+  \cgalParamNBegin{resampling_step}
+    \cgalParamDescription{distance of samples along a limb, as a share of the radius}
+    \cgalParamType{a number from 0.001 to 1}
+    \cgalParamDefault{0.1}
+  \cgalParamNEnd
+  \cgalParamNBegin{number_of_iterations}
+    \cgalParamDescription{most rounds in which the normal is found anew and the spider grown again from it}
+    \cgalParamType{a positive integer}
+    \cgalParamDefault{10}
+    \cgalParamExtra{one round is enough where normals are reliable (paper, 2.6)}
+  \cgalParamNEnd
+  \cgalParamNBegin{convergence_angle}
+    \cgalParamDescription{the iteration rests when the normal moves by no more than this angle, in radians}
+    \cgalParamType{a number}
+    \cgalParamDefault{0.001}
+  \cgalParamNEnd
+  \cgalParamNBegin{first_normal}
+    \cgalParamDescription{where normals come from that aren't given}
+    \cgalParamType{`Spider::First_normal`}
+    \cgalParamDefault{`Spider::neighbourhood`}
+  \cgalParamNEnd
+  \cgalParamNBegin{vertex_normal_map}
+    \cgalParamDescription{normals to start from; they needn't be unit}
+    \cgalParamType{a readable property map from vertices to vectors of any kernel}
+    \cgalParamDefault{none: computed as `first_normal` says}
+  \cgalParamNEnd
+  \cgalParamNBegin{vertex_point_map}
+    \cgalParamDescription{the points of the vertices}
+    \cgalParamType{a readable property map from vertices to points}
+    \cgalParamDefault{`get(CGAL::vertex_point, tmesh)`}
+  \cgalParamNEnd
+  \cgalParamNBegin{geom_traits}
+    \cgalParamDescription{the kernel; results are in it where its numbers are floating-point}
+    \cgalParamType{a \cgal kernel}
+    \cgalParamDefault{deduced from the point type}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\return a `Curvature_estimate_3`, whose `status` says how it came about. It never throws for what is wrong with a mesh
+locally: what can't be estimated is NaN.
+\throw std::invalid_argument if a parameter is out of its range, or a face that is met isn't a triangle
+*/
+template <typename Query, typename TriangleMesh, typename NamedParameters = CGAL::parameters::Default_named_parameters>
+auto estimate_curvature(const Query& query,
+                        const TriangleMesh& tmesh,
+                        const NamedParameters& np = CGAL::parameters::default_values())
+{
+  using Inputs = internal::Mesh_inputs<TriangleMesh, NamedParameters>;
+  const Inputs inputs(tmesh, np);
+  const internal::Query_point<Inputs> at(inputs, query);
+  internal::Spider_engine<typename Inputs::View> engine(inputs.view, inputs.options);
+  return internal::to_result<typename Inputs::Result_traits>(
+    engine(at.site, at.radius, internal::first_normal_of_query(inputs, at)));
+}
+
+} // namespace Spider
+} // namespace CGAL
+
+#endif // CGAL_SPIDER_ESTIMATE_CURVATURE_H

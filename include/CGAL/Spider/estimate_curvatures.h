@@ -1,0 +1,53 @@
+// Copyright (c) 2026 The Spider developers.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPIDER_ESTIMATE_CURVATURES_H
+#define CGAL_SPIDER_ESTIMATE_CURVATURES_H
+
+#include <CGAL/Spider/Curvature_estimator.h>
+#include <CGAL/Spider/internal/for_each_query.h>
+
+namespace CGAL {
+namespace Spider {
+
+/*!
+\ingroup PkgSpiderEstimation
+
+estimates normals and principal curvatures at a range of points, as `estimate_curvature()` does at one.
+
+\tparam ConcurrencyTag `CGAL::Sequential_tag` (the default), `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`;
+        the answers are the same to the last bit
+\tparam TriangleMesh a model of `FaceGraph`
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\tparam QueryRange a range of vertices, or of `CGAL::Polygon_mesh_processing::Face_location`
+\tparam OutputIterator an output iterator that takes `Curvature_estimate_3`
+\param queries the query points
+\param tmesh a triangle mesh; it is only read
+\param out takes one estimate per query, in their order
+\param np an optional sequence of named parameters, those of `estimate_curvature()`
+
+\return the output iterator behind the last estimate
+\throw std::invalid_argument if a parameter is out of its range, or a face isn't a triangle
+*/
+template <typename ConcurrencyTag = CGAL::Sequential_tag,
+          typename QueryRange,
+          typename TriangleMesh,
+          typename OutputIterator,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters>
+OutputIterator estimate_curvatures(const QueryRange& queries,
+                                   const TriangleMesh& tmesh,
+                                   OutputIterator out,
+                                   const NamedParameters& np = CGAL::parameters::default_values())
+{
+  const Curvature_estimator<TriangleMesh, NamedParameters> estimator(tmesh, np);
+  internal::for_each_query<ConcurrencyTag>(queries, estimator,
+                                           [&](const auto&, const auto& estimate) { *out++ = estimate; });
+  return out;
+}
+
+} // namespace Spider
+} // namespace CGAL
+
+#endif // CGAL_SPIDER_ESTIMATE_CURVATURES_H

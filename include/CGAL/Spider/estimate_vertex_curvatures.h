@@ -1,0 +1,52 @@
+// Copyright (c) 2026 The Spider developers.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPIDER_ESTIMATE_VERTEX_CURVATURES_H
+#define CGAL_SPIDER_ESTIMATE_VERTEX_CURVATURES_H
+
+#include <CGAL/Spider/Curvature_estimator.h>
+#include <CGAL/Spider/internal/for_each_query.h>
+
+#include <boost/property_map/property_map.hpp>
+
+namespace CGAL {
+namespace Spider {
+
+/*!
+\ingroup PkgSpiderEstimation
+
+estimates normals and principal curvatures at all vertices, as `estimate_curvature()` does at one.
+
+\tparam ConcurrencyTag `CGAL::Sequential_tag` (the default), `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`;
+        the answers are the same to the last bit
+\tparam TriangleMesh a model of `FaceGraph`
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\tparam CurvatureMap a model of `WritablePropertyMap` from vertices to `Curvature_estimate_3` of any kernel with
+        floating-point numbers
+\param tmesh a triangle mesh; it is only read
+\param curvature_map takes the estimates
+\param np an optional sequence of named parameters, those of `estimate_curvature()`
+
+\throw std::invalid_argument if a parameter is out of its range, or a face isn't a triangle
+*/
+template <typename ConcurrencyTag = CGAL::Sequential_tag,
+          typename TriangleMesh,
+          typename CurvatureMap,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters>
+void estimate_vertex_curvatures(const TriangleMesh& tmesh,
+                                CurvatureMap curvature_map,
+                                const NamedParameters& np = CGAL::parameters::default_values())
+{
+  using Result = typename boost::property_traits<CurvatureMap>::value_type;
+  const Curvature_estimator<TriangleMesh, NamedParameters> estimator(tmesh, np);
+  internal::for_each_query<ConcurrencyTag>(vertices(tmesh), estimator, [&](const auto& v, const auto& estimate) {
+    put(curvature_map, v, Result(estimate));
+  });
+}
+
+} // namespace Spider
+} // namespace CGAL
+
+#endif // CGAL_SPIDER_ESTIMATE_VERTEX_CURVATURES_H

@@ -1,0 +1,105 @@
+// Copyright (c) 2026 The Spider developers.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPIDER_INTERNAL_GRAPH_VIEW_H
+#define CGAL_SPIDER_INTERNAL_GRAPH_VIEW_H
+
+#include <CGAL/Spider/internal/numbers.h>
+
+#include <CGAL/boost/graph/iterator.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+namespace CGAL {
+namespace Spider {
+namespace internal {
+
+[[noreturn]] inline void throw_not_triangulated()
+{
+  throw std::invalid_argument("Spider: tmesh has a face that is not a triangle: "
+                              "call Polygon_mesh_processing::triangulate_faces() first");
+}
+
+/// What the walk needs of a mesh, straight from the caller's `FaceGraph`: no set-up, for single queries.
+template <typename TriangleMesh, typename VertexPointMap>
+class Graph_view
+{
+  using Traits = boost::graph_traits<TriangleMesh>;
+  using Point = typename boost::property_traits<VertexPointMap>::value_type;
+
+public:
+  using Scalar = Scalar_for<typename CGAL::Kernel_traits<Point>::Kernel::FT>;
+  using Vertex = typename Traits::vertex_descriptor;
+  using Halfedge = typename Traits::halfedge_descriptor;
+  using Face = typename Traits::face_descriptor;
+
+  Graph_view(const TriangleMesh& tmesh, VertexPointMap vpm) : tmesh_(tmesh), vpm_(vpm) {}
+
+  static Halfedge null_halfedge() { return Traits::null_halfedge(); }
+  static Vertex null_vertex() { return Traits::null_vertex(); }
+  static Face null_face() { return Traits::null_face(); }
+
+  Vertex source(Halfedge h) const { return CGAL::source(h, tmesh_); }
+  Vertex target(Halfedge h) const { return CGAL::target(h, tmesh_); }
+  Halfedge halfedge(Face f) const { return CGAL::halfedge(f, tmesh_); }
+  Face face(Halfedge h) const { return CGAL::face(h, tmesh_); }
+  auto edge(Halfedge h) const { return CGAL::edge(h, tmesh_); }
+  Vec3<Scalar> point(Vertex v) const { return to_vec3<Scalar>(get(vpm_, v)); }
+
+  /// returns the other half of an edge, or `null_halfedge()` where there is no face on that side.
+  Halfedge opposite(Halfedge h) const
+  {
+    const Halfedge o = CGAL::opposite(h, tmesh_);
+    return CGAL::is_border(o, tmesh_) ? null_halfedge() : o;
+  }
+
+  /// returns the second and the third edge of the triangle at whose first edge `h` is.
+  std::pair<Halfedge, Halfedge> other_edges(Halfedge h) const
+  {
+    const Halfedge second = next(h, tmesh_), third = next(second, tmesh_);
+    if(third == h || next(third, tmesh_) != h)
+      throw_not_triangulated();
+    return {second, third};
+  }
+
+  /// returns the halfedge from `v` into the incident face whose two other vertices come first in the order of
+  /// descriptors, or `null_halfedge()` where there is no face. It stays the same corner when the mesh moves, scales or
+  /// turns inside out, which makes it the place to measure directions from.
+  Halfedge first_corner(Vertex v) const
+  {
+    Halfedge best = null_halfedge();
+    const Halfedge incoming = CGAL::halfedge(v, tmesh_);
+    if(incoming == null_halfedge())
+      return best;
+    std::pair<Vertex, Vertex> best_rim;
+    for(Halfedge h : CGAL::halfedges_around_target(incoming, tmesh_))
+    {
+      if(CGAL::is_border(h, tmesh_))
+        continue;
+      const Halfedge out = next(h, tmesh_);
+      const Vertex a = target(out), b = source(h);
+      const std::pair<Vertex, Vertex> rim = b < a ? std::make_pair(b, a) : std::make_pair(a, b);
+      if(best == null_halfedge() || rim < best_rim)
+      {
+        best = out;
+        best_rim = rim;
+      }
+    }
+    return best;
+  }
+
+private:
+  const TriangleMesh& tmesh_;
+  VertexPointMap vpm_;
+};
+
+} // namespace internal
+} // namespace Spider
+} // namespace CGAL
+
+#endif // CGAL_SPIDER_INTERNAL_GRAPH_VIEW_H

@@ -1,0 +1,186 @@
+// Copyright (c) 2026 The Spider developers.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// A mesh and the named parameters that come with it: what the public functions start from.
+
+#ifndef CGAL_SPIDER_INTERNAL_MESH_INPUTS_H
+#define CGAL_SPIDER_INTERNAL_MESH_INPUTS_H
+
+#include <CGAL/Spider/internal/Graph_view.h>
+#include <CGAL/Spider/internal/Options.h>
+#include <CGAL/Spider/internal/Site.h>
+#include <CGAL/Spider/internal/first_normal.h>
+
+#include <CGAL/Algebraic_structure_traits.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+
+#include <array>
+#include <cstddef>
+#include <type_traits>
+
+namespace CGAL {
+namespace Spider {
+namespace internal {
+
+template <typename T>
+constexpr bool is_number = !std::is_same<typename CGAL::Algebraic_structure_traits<T>::Algebraic_category,
+                                         CGAL::Null_tag>::value;
+
+template <typename T>
+constexpr bool is_given = !std::is_same<std::decay_t<T>, CGAL::internal_np::Param_not_found>::value;
+
+/// returns the mean length of the edges; 0 without an edge of finite length.
+template <typename View, typename TriangleMesh>
+typename View::Scalar mean_edge_length(const View& view, const TriangleMesh& tmesh)
+{
+  using Scalar = typename View::Scalar;
+  Scalar mean = 0;
+  std::size_t count = 0;
+  for(const auto e : edges(tmesh))
+  {
+    const auto h = CGAL::halfedge(e, tmesh);
+    const Vec3<Scalar> d = view.point(view.target(h)) - view.point(view.source(h));
+    const Scalar length = std::hypot(d.x(), d.y(), d.z());
+    if(std::isfinite(length))
+      mean += (length - mean) / Scalar(++count); // a running mean doesn't overflow
+  }
+  return mean;
+}
+
+/// returns the site of a query: a vertex, or a `PMP::Face_location`.
+template <typename View, typename Query>
+Site<View> site_of(const View& view, const Query& query)
+{
+  using Scalar = typename View::Scalar;
+  if constexpr(std::is_convertible<Query, typename View::Vertex>::value)
+  {
+    if(query == View::null_vertex())
+      throw std::invalid_argument("Spider: query is the null vertex: give a vertex of tmesh");
+    return site_at_vertex(view, static_cast<typename View::Vertex>(query));
+  }
+  else
+  {
+    if(query.first == View::null_face())
+      throw std::invalid_argument("Spider: query is at the null face: give a face of tmesh");
+    std::array<Scalar, 3> coordinates;
+    for(int i = 0; i < 3; ++i)
+      coordinates[i] = to_scalar<Scalar>(query.second[i]);
+    return site_at_location(view, query.first, coordinates);
+  }
+}
+
+/// interpolates an attribute of the vertices at a site.
+template <typename View, typename Attribute>
+auto interpolate(const Site<View>& site, Attribute&& at_vertex)
+{
+  auto sum = at_vertex(site.vertices[0]);
+  sum *= site.weights[0];
+  for(int i = 1; i < 3; ++i)
+    if(site.weights[i] > 0)
+      sum += site.weights[i] * at_vertex(site.vertices[i]);
+  return sum;
+}
+
+template <typename TriangleMesh, typename NamedParameters>
+class Mesh_inputs
+{
+public:
+  using GT = typename CGAL::GetGeomTraits<TriangleMesh, NamedParameters>::type;
+  using Result_traits = Result_kernel<GT>;
+  using Vertex_point_map = typename CGAL::GetVertexPointMap<TriangleMesh, NamedParameters>::const_type;
+  using View = Graph_view<TriangleMesh, Vertex_point_map>;
+  using Scalar = typename View::Scalar;
+  using Vertex = typename View::Vertex;
+
+  static constexpr bool has_given_normals = is_given<decltype(
+    parameters::get_parameter(std::declval<const NamedParameters&>(), Spider::internal_np::vertex_normal_map))>;
+
+  Mesh_inputs(const TriangleMesh& tmesh, const NamedParameters& np)
+    : options(read_options<Scalar>(np)),
+      view(tmesh,
+           parameters::choose_parameter(parameters::get_parameter(np, CGAL::internal_np::vertex_point),
+                                        get_const_property_map(CGAL::vertex_point, tmesh))),
+      np_(np), radius_(read_radius(tmesh))
+  {
+  }
+
+  /// returns the geodesic radius at a vertex.
+  Scalar radius_at(Vertex v) const
+  {
+    const auto given = parameters::get_parameter(np_, Spider::internal_np::geodesic_radius);
+    if constexpr(has_radius_map())
+      return to_scalar<Scalar>(get(given, v));
+    else
+      return radius_;
+  }
+
+  /// returns the unit normal at a vertex that the caller gave by `vertex_normal_map`.
+  Vec3<Scalar> given_normal_at(Vertex v) const
+  {
+    return unit(
+      to_vec3<Scalar>(get(parameters::get_parameter(np_, Spider::internal_np::vertex_normal_map), v)));
+  }
+
+  static constexpr bool has_radius_map()
+  {
+    using Given =
+      decltype(parameters::get_parameter(std::declval<const NamedParameters&>(), Spider::internal_np::geodesic_radius));
+    return is_given<Given> && !is_number<std::decay_t<Given>>;
+  }
+
+  const Options<Scalar> options;
+  const View view;
+
+private:
+  Scalar read_radius(const TriangleMesh& tmesh) const
+  {
+    const auto given = parameters::get_parameter(np_, Spider::internal_np::geodesic_radius);
+    if constexpr(has_radius_map())
+      return nan<Scalar>(); // each vertex has its own
+    else if constexpr(is_given<decltype(given)>)
+    {
+      const Scalar radius = to_scalar<Scalar>(given);
+      check_radius(radius);
+      return radius;
+    }
+    else
+    {
+      constexpr Scalar default_radius_in_edges = 4;
+      return default_radius_in_edges * mean_edge_length(view, tmesh);
+    }
+  }
+
+  const NamedParameters np_;
+  const Scalar radius_;
+};
+
+/// returns the normal from which a site's spider starts. `normal_at` gives that of a vertex: the caller's own, or the
+/// neighbourhood's.
+template <typename View, typename NormalAt>
+Vec3<typename View::Scalar> first_normal_of(const View& view,
+                                            const Site<View>& site,
+                                            typename View::Scalar radius,
+                                            bool is_given_by_map,
+                                            First_normal kind,
+                                            NormalAt&& normal_at)
+{
+  using Normal = Vec3<typename View::Scalar>;
+  if(site.rim.empty())
+    return nan_vec3<typename View::Scalar>();
+  if(!is_given_by_map && kind == incident_faces)
+    return incident_faces_normal(view, site, radius);
+  if(!is_given_by_map && kind == sphere_section)
+  {
+    const Normal normal = sphere_section_normal(view, site, radius);
+    if(normal.allFinite())
+      return normal; // else all of the component is inside the sphere
+  }
+  return unit<typename View::Scalar>(interpolate(site, normal_at));
+}
+
+} // namespace internal
+} // namespace Spider
+} // namespace CGAL
+
+#endif // CGAL_SPIDER_INTERNAL_MESH_INPUTS_H

@@ -1,0 +1,136 @@
+// Copyright (c) 2026 The Spider developers.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPIDER_INTERNAL_MESH_SNAPSHOT_H
+#define CGAL_SPIDER_INTERNAL_MESH_SNAPSHOT_H
+
+#include <CGAL/Spider/internal/Graph_view.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spider {
+namespace internal {
+
+/// The ranks of a mesh's vertices or faces in the order of descriptors, whatever indices the mesh has or lacks.
+template <typename Descriptor>
+class Ranks
+{
+public:
+  template <typename Range>
+  explicit Ranks(const Range& descriptors) : sorted_(descriptors.begin(), descriptors.end())
+  {
+    if(!std::is_sorted(sorted_.begin(), sorted_.end()))
+      std::sort(sorted_.begin(), sorted_.end());
+  }
+
+  std::size_t size() const { return sorted_.size(); }
+  Descriptor operator[](std::size_t rank) const { return sorted_[rank]; }
+
+  std::size_t operator()(Descriptor d) const
+  {
+    if constexpr(std::is_convertible<Descriptor, std::size_t>::value)
+    { // an index, and its own rank in a mesh without garbage
+      const std::size_t i = static_cast<std::size_t>(d);
+      if(i < sorted_.size() && sorted_[i] == d)
+        return i;
+    }
+    return std::lower_bound(sorted_.begin(), sorted_.end(), d) - sorted_.begin();
+  }
+
+private:
+  std::vector<Descriptor> sorted_;
+};
+
+/// What the walk needs of a mesh, copied once into arrays: for batches. Any number of threads may read it, and every
+/// model of `FaceGraph` runs at the same speed. The halfedges of face f are 3f, 3f + 1 and 3f + 2.
+template <typename Scalar_>
+class Mesh_snapshot
+{
+public:
+  using Scalar = Scalar_;
+  using Vertex = std::uint32_t;
+  using Halfedge = std::uint32_t;
+  using Face = std::uint32_t;
+
+  template <typename TriangleMesh, typename VertexPointMap>
+  Mesh_snapshot(const TriangleMesh& tmesh,
+                const Graph_view<TriangleMesh, VertexPointMap>& view,
+                const Ranks<typename boost::graph_traits<TriangleMesh>::vertex_descriptor>& vertices,
+                const Ranks<typename boost::graph_traits<TriangleMesh>::face_descriptor>& faces)
+  {
+    using Mesh_halfedge = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
+    if(3 * faces.size() >= null_halfedge())
+      throw std::invalid_argument("Spider: tmesh has more than 1.4 billion faces: split it");
+
+    const auto id = [&](Mesh_halfedge h) -> Halfedge {
+      if(h == boost::graph_traits<TriangleMesh>::null_halfedge())
+        return null_halfedge();
+      const auto f = CGAL::face(h, tmesh);
+      Halfedge result = static_cast<Halfedge>(3 * faces(f));
+      for(Mesh_halfedge at = CGAL::halfedge(f, tmesh); at != h; at = next(at, tmesh))
+        ++result;
+      return result;
+    };
+
+    sources_.reserve(3 * faces.size());
+    opposites_.reserve(3 * faces.size());
+    for(std::size_t f = 0; f < faces.size(); ++f)
+    {
+      const Mesh_halfedge first = CGAL::halfedge(faces[f], tmesh);
+      const auto [second, third] = view.other_edges(first);
+      for(Mesh_halfedge h : {first, second, third})
+      {
+        sources_.push_back(static_cast<Vertex>(vertices(view.source(h))));
+        opposites_.push_back(id(view.opposite(h)));
+      }
+    }
+    points_.reserve(vertices.size());
+    first_corners_.reserve(vertices.size());
+    for(std::size_t v = 0; v < vertices.size(); ++v)
+    {
+      points_.push_back(view.point(vertices[v]));
+      first_corners_.push_back(id(view.first_corner(vertices[v])));
+    }
+  }
+
+  static constexpr Halfedge null_halfedge() { return std::numeric_limits<Halfedge>::max(); }
+  static constexpr Vertex null_vertex() { return std::numeric_limits<Vertex>::max(); }
+  static constexpr Face null_face() { return std::numeric_limits<Face>::max(); }
+
+  std::size_t number_of_vertices() const { return points_.size(); }
+  Vertex source(Halfedge h) const { return sources_[h]; }
+  Vertex target(Halfedge h) const { return sources_[following(h)]; }
+  Halfedge halfedge(Face f) const { return 3 * f; }
+  Face face(Halfedge h) const { return h / 3; }
+  const Vec3<Scalar>& point(Vertex v) const { return points_[v]; }
+  Halfedge opposite(Halfedge h) const { return opposites_[h]; }
+  Halfedge first_corner(Vertex v) const { return first_corners_[v]; }
+
+  std::pair<Halfedge, Halfedge> other_edges(Halfedge h) const
+  {
+    const Halfedge second = following(h);
+    return {second, following(second)};
+  }
+
+private:
+  static Halfedge following(Halfedge h) { return h % 3 == 2 ? h - 2 : h + 1; }
+
+  std::vector<Vertex> sources_;
+  std::vector<Halfedge> opposites_;
+  std::vector<Halfedge> first_corners_;
+  std::vector<Vec3<Scalar>> points_;
+};
+
+} // namespace internal
+} // namespace Spider
+} // namespace CGAL
+
+#endif // CGAL_SPIDER_INTERNAL_MESH_SNAPSHOT_H

@@ -1,0 +1,169 @@
+// Copyright (c) 2026 The Spider developers.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPIDER_INTERNAL_SITE_H
+#define CGAL_SPIDER_INTERNAL_SITE_H
+
+#include <CGAL/Spider/internal/numbers.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+#include <vector>
+
+namespace CGAL {
+namespace Spider {
+namespace internal {
+
+/// A query point and the faces around it, whether it is a vertex, on an edge or inside a face.
+template <typename View>
+struct Site
+{
+  using Scalar = typename View::Scalar;
+
+  Vec3<Scalar> point = nan_vec3<Scalar>();
+  Vec3<Scalar> reference = nan_vec3<Scalar>(); ///< a direction that moves with the mesh; spiders start at it
+  std::vector<typename View::Halfedge> rim;    ///< edges, seen from within, that bound the union of the faces around it
+  bool on_border = false;
+  std::array<typename View::Vertex, 3> vertices{}; ///< what an attribute of the vertices is interpolated from ...
+  std::array<Scalar, 3> weights{};                 ///< ... and by which weights
+};
+
+/// calls `visit(corner)` for the halfedge from a vertex into each incident face, given one of them; returns whether the
+/// vertex is on the border.
+template <typename View, typename Visitor>
+bool visit_corners(const View& view, typename View::Halfedge first, Visitor&& visit)
+{
+  using Halfedge = typename View::Halfedge;
+  Halfedge corner = first;
+  do // counter-clockwise ...
+  {
+    visit(corner);
+    corner = view.opposite(view.other_edges(corner).second);
+  } while(corner != first && corner != View::null_halfedge());
+  if(corner == first)
+    return false;
+
+  for(Halfedge incoming = view.opposite(first); incoming != View::null_halfedge();) // ... and from there clockwise
+  {
+    corner = view.other_edges(incoming).first;
+    visit(corner);
+    incoming = view.opposite(corner);
+  }
+  return true;
+}
+
+template <typename View>
+Site<View> site_at_vertex(const View& view, typename View::Vertex v)
+{
+  Site<View> site;
+  site.point = view.point(v);
+  site.vertices = {v, v, v};
+  site.weights = {1, 0, 0};
+  const typename View::Halfedge first = view.first_corner(v);
+  if(first == View::null_halfedge())
+    return site;
+  const auto opposite_edge = [&](typename View::Halfedge corner) { return view.other_edges(corner).first; };
+  const typename View::Halfedge edge = opposite_edge(first);
+  site.reference = (view.point(view.source(edge)) - site.point) + (view.point(view.target(edge)) - site.point);
+  site.on_border =
+    visit_corners(view, first, [&](typename View::Halfedge corner) { site.rim.push_back(opposite_edge(corner)); });
+  return site;
+}
+
+template <typename View>
+Site<View> site_on_edge(const View& view, typename View::Halfedge h, typename View::Scalar weight_of_source)
+{
+  Site<View> site;
+  const auto s = view.source(h), t = view.target(h);
+  const bool s_first = s < t; // the point is the same from both sides
+  const auto a = s_first ? s : t, b = s_first ? t : s;
+  const auto weight = s_first ? weight_of_source : 1 - weight_of_source;
+  site.reference = view.point(b) - view.point(a);
+  site.point = view.point(a) + (1 - weight) * site.reference;
+  site.vertices = {a, b, b};
+  site.weights = {weight, 1 - weight, 0};
+  for(typename View::Halfedge side : {h, view.opposite(h)})
+  {
+    if(side == View::null_halfedge())
+    {
+      site.on_border = true;
+      continue;
+    }
+    const auto [second, third] = view.other_edges(side);
+    site.rim.push_back(second);
+    site.rim.push_back(third);
+  }
+  return site;
+}
+
+template <typename View>
+Site<View> site_in_face(const View& view,
+                        const std::array<typename View::Halfedge, 3>& edges,
+                        const std::array<typename View::Scalar, 3>& weights)
+{
+  Site<View> site;
+  site.rim.assign(edges.begin(), edges.end());
+  site.vertices = {view.source(edges[0]), view.source(edges[1]), view.source(edges[2])};
+  site.weights = weights;
+  const Vec3<typename View::Scalar> a = view.point(site.vertices[0]);
+  site.point = a + weights[1] * (view.point(site.vertices[1]) - a) + weights[2] * (view.point(site.vertices[2]) - a);
+  std::array<typename View::Vertex, 3> in_order = site.vertices;
+  std::sort(in_order.begin(), in_order.end());
+  site.reference = view.point(in_order[1]) - view.point(in_order[0]);
+  return site;
+}
+
+/// brings barycentric coordinates into order: those at rounding's level become zero, the rest sum to one.
+template <typename Scalar>
+std::array<Scalar, 3> checked_barycentric_coordinates(std::array<Scalar, 3> weights)
+{
+  // What locating a point in floating-point leaves behind stays well below this; a caller's slip does not.
+  constexpr Scalar tolerated = Scalar(1e-6);
+  constexpr Scalar rounding = 64 * std::numeric_limits<Scalar>::epsilon();
+  const Scalar sum = weights[0] + weights[1] + weights[2];
+  const Scalar least = std::min({weights[0], weights[1], weights[2]});
+  if(!(std::abs(sum - 1) <= tolerated) || !(least >= -tolerated))
+  {
+    std::ostringstream message;
+    message << "Spider: query has the barycentric coordinates (" << weights[0] << ", " << weights[1] << ", "
+            << weights[2] << "): they must not be negative and must sum to 1, as those of "
+            << "Polygon_mesh_processing::locate() do";
+    throw std::invalid_argument(message.str());
+  }
+  for(Scalar& w : weights)
+    w = w <= rounding ? Scalar(0) : w;
+  const Scalar kept = weights[0] + weights[1] + weights[2];
+  for(Scalar& w : weights)
+    w /= kept;
+  return weights;
+}
+
+/// resolves a `PMP::Face_location`: coordinates belong to the source of the face's halfedge and to the next two vertices.
+template <typename View>
+Site<View> site_at_location(const View& view,
+                            typename View::Face f,
+                            const std::array<typename View::Scalar, 3>& coordinates)
+{
+  const auto weights = checked_barycentric_coordinates(coordinates);
+  const typename View::Halfedge h = view.halfedge(f);
+  const auto [second, third] = view.other_edges(h);
+  const std::array<typename View::Halfedge, 3> edges = {h, second, third};
+  for(int i = 0; i < 3; ++i)
+    if(weights[i] == 1)
+      return site_at_vertex(view, view.source(edges[i]));
+  for(int i = 0; i < 3; ++i)
+    if(weights[(i + 2) % 3] == 0) // edges[i] leads from vertex i to vertex i + 1
+      return site_on_edge(view, edges[i], weights[i]);
+  return site_in_face(view, edges, weights);
+}
+
+} // namespace internal
+} // namespace Spider
+} // namespace CGAL
+
+#endif // CGAL_SPIDER_INTERNAL_SITE_H

@@ -1,0 +1,49 @@
+// Copyright (c) 2026 The Spider developers.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPIDER_INTERNAL_SPIDER_FRAME_H
+#define CGAL_SPIDER_INTERNAL_SPIDER_FRAME_H
+
+#include <CGAL/Spider/internal/numbers.h>
+
+#include <cmath>
+
+namespace CGAL {
+namespace Spider {
+namespace internal {
+
+/// A right-handed orthonormal frame at the query point, its first tangent next to a direction that moves with the mesh.
+template <typename Scalar>
+struct Spider_frame
+{
+  Vec3<Scalar> tangent, bitangent, normal;
+
+  Spider_frame(const Vec3<Scalar>& unit_normal, const Vec3<Scalar>& reference) : normal(unit_normal)
+  {
+    tangent = unit<Scalar>(unit(reference) - unit(reference).dot(normal) * normal);
+    if(!tangent.allFinite()) // the reference has no tangential part: any tangent will do
+    {
+      typename Vec3<Scalar>::Index least;
+      normal.cwiseAbs().minCoeff(&least);
+      tangent = unit<Scalar>(normal.cross(Vec3<Scalar>::Unit(least)));
+    }
+    bitangent = normal.cross(tangent);
+  }
+
+  Vec3<Scalar> direction(Scalar angle) const { return std::cos(angle) * tangent + std::sin(angle) * bitangent; }
+};
+
+/// returns the angle of one of `count` directions spaced regularly over a half turn.
+template <typename Scalar>
+Scalar angle_of_direction(int index, int count)
+{
+  const Scalar pi = std::acos(Scalar(-1));
+  return pi * index / count;
+}
+
+} // namespace internal
+} // namespace Spider
+} // namespace CGAL
+
+#endif // CGAL_SPIDER_INTERNAL_SPIDER_FRAME_H

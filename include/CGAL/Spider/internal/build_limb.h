@@ -1,0 +1,105 @@
+// Copyright (c) 2026 The Spider developers.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPIDER_INTERNAL_BUILD_LIMB_H
+#define CGAL_SPIDER_INTERNAL_BUILD_LIMB_H
+
+#include <CGAL/Spider/Limb_3.h>
+#include <CGAL/Spider/internal/Mesh_inputs.h>
+#include <CGAL/Spider/internal/Spider_frame.h>
+#include <CGAL/Spider/internal/walk_limb.h>
+
+#include <limits>
+#include <utility>
+
+namespace CGAL {
+namespace Spider {
+namespace internal {
+
+/// A query of a one-point function, resolved: its site and its radius.
+template <typename Inputs>
+struct Query_point
+{
+  template <typename Query>
+  Query_point(const Inputs& inputs, const Query& query)
+    : site(site_of(inputs.view, query)),
+      radius(interpolate(site, [&](typename Inputs::Vertex v) { return inputs.radius_at(v); }))
+  {
+  }
+
+  Site<typename Inputs::View> site;
+  typename Inputs::Scalar radius;
+};
+
+template <typename Scalar, typename Vector>
+Vec3<Scalar> checked_normal(const Vector& normal)
+{
+  const Vec3<Scalar> given = to_vec3<Scalar>(normal), result = unit(given);
+  check_parameter(result.allFinite(), "normal", given.transpose(), "give a finite vector that is not zero");
+  return result;
+}
+
+/// returns the unit normal and the unit tangent of a half plane that the caller spans by two vectors.
+template <typename Scalar, typename Normal, typename Direction>
+std::pair<Vec3<Scalar>, Vec3<Scalar>> checked_tangent_frame(const Normal& normal, const Direction& direction)
+{
+  const Vec3<Scalar> n = checked_normal<Scalar>(normal), given = to_vec3<Scalar>(direction), d = unit(given);
+  const Vec3<Scalar> tangential = d - d.dot(n) * n;
+  constexpr Scalar least_angle = Scalar(1e-10); // to the normal; below, rounding chooses the direction
+  check_parameter(tangential.norm() > least_angle, "direction", given.transpose(),
+                  "give a finite vector that is not parallel to the normal");
+  return {n, unit(tangential)};
+}
+
+/// walks a limb and keeps its points. `normal` and `direction` are orthonormal.
+template <typename TriangleMesh, typename Inputs>
+auto build_limb(const Inputs& inputs,
+                const Query_point<Inputs>& query,
+                const Vec3<typename Inputs::Scalar>& normal,
+                const Vec3<typename Inputs::Scalar>& direction)
+{
+  using View = typename Inputs::View;
+  using Scalar = typename Inputs::Scalar;
+  using Limb = Limb_3<TriangleMesh, typename Inputs::Result_traits>;
+  // Where the plane runs through a vertex the walk turns around it at a distance at the level of rounding.
+  const Scalar same_point = 64 * std::numeric_limits<Scalar>::epsilon() *
+                            (1 + query.site.point.template lpNorm<Eigen::Infinity>() / query.radius);
+
+  Limb limb;
+  const auto append = [&](const Vec3<Scalar>& p) {
+    limb.polyline.push_back(from_vec3<typename Limb::Point_3>(p));
+  };
+  append(query.site.point);
+  if(query.site.rim.empty() || !(query.radius > 0))
+    return limb;
+
+  Vec3<Scalar> last = query.site.point;
+  Scalar kept_length = 0;
+  const Cut<Scalar> cut(query.site.point, direction, normal, query.radius);
+  const Walk_result<View> walk = walk_limb(inputs.view, query.site, cut, [&](const Step<View>& step) {
+    Vec3<Scalar> crossing = query.site.point;
+    if(step.edge != View::null_halfedge())
+    {
+      const Vec3<Scalar> s = inputs.view.point(inputs.view.source(step.edge));
+      crossing = s + step.crossing * (inputs.view.point(inputs.view.target(step.edge)) - s);
+    }
+    last += step.share * (crossing - last);
+    if(step.length - kept_length <= same_point && limb.polyline.size() > 1)
+      limb.polyline.back() = from_vec3<typename Limb::Point_3>(last);
+    else
+      append(last);
+    kept_length = step.length;
+  });
+  limb.length = static_cast<typename Limb::FT>(walk.length * query.radius);
+  limb.end = walk.end;
+  if(walk.edge != View::null_halfedge())
+    limb.edge = inputs.view.edge(walk.edge);
+  return limb;
+}
+
+} // namespace internal
+} // namespace Spider
+} // namespace CGAL
+
+#endif // CGAL_SPIDER_INTERNAL_BUILD_LIMB_H

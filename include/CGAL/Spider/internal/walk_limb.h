@@ -1,0 +1,202 @@
+// Copyright (c) 2026 The Spider developers.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The walk of one limb (paper, 2.2): from the query point, face to face, along the cut of the mesh with a half plane.
+//
+// One rule decides every degenerate case. The side of the cutting plane on which a vertex lies is a function of the
+// vertex alone, and a vertex on the plane counts as left. So a face is either not cut or cut through exactly two of its
+// edges, whatever its shape: the walk never has a choice, never meets an edge twice in the same direction before it is
+// back where it started, and so always ends. The rule is put into effect by moving the plane to the right by an amount
+// at the level of rounding; where no face of the star is found that way, since the star lies on the left of a plane
+// along its border, by moving it to the left.
+
+#ifndef CGAL_SPIDER_INTERNAL_WALK_LIMB_H
+#define CGAL_SPIDER_INTERNAL_WALK_LIMB_H
+
+#include <CGAL/Spider/Limb_3.h>
+#include <CGAL/Spider/internal/Site.h>
+#include <CGAL/Spider/internal/numbers.h>
+
+#include <cmath>
+#include <limits>
+
+namespace CGAL {
+namespace Spider {
+namespace internal {
+
+/// A point in the frame of a cut: `y` along the limb's direction, `z` along the normal, `side` across the plane.
+template <typename Scalar>
+struct Cut_point
+{
+  Scalar y, z, side;
+};
+
+/// The half plane of one limb. Lengths are in units of the geodesic radius, so nothing over- or underflows.
+template <typename Scalar>
+class Cut
+{
+public:
+  /// `direction` and `normal` are orthonormal.
+  Cut(const Vec3<Scalar>& origin, const Vec3<Scalar>& direction, const Vec3<Scalar>& normal, Scalar radius)
+    : origin_(origin), along_(direction / radius), up_(normal / radius), across_(normal.cross(direction) / radius)
+  {
+    // The error of a coordinate is half an epsilon of its size, and a handful of operations follow.
+    constexpr Scalar rounding = 16 * std::numeric_limits<Scalar>::epsilon();
+    shift_ = rounding * (1 + origin.template lpNorm<Eigen::Infinity>() / radius);
+  }
+
+  /// has vertices on the plane count as right instead of left.
+  void count_vertices_on_the_plane_as_right() { shift_ = -std::abs(shift_); }
+
+  Cut_point<Scalar> operator()(const Vec3<Scalar>& point) const
+  {
+    const Vec3<Scalar> a = point - origin_;
+    return {a.dot(along_), a.dot(up_), a.dot(across_) + shift_};
+  }
+
+private:
+  Vec3<Scalar> origin_, along_, up_, across_;
+  Scalar shift_;
+};
+
+/// An edge on its way out of a face, with its end points. The source keeps to one side of the plane along the whole walk.
+template <typename View>
+struct Exit
+{
+  using Scalar = typename View::Scalar;
+
+  typename View::Halfedge edge = View::null_halfedge();
+  Cut_point<Scalar> source{}, target{};
+
+  bool exists() const { return edge != View::null_halfedge(); }
+  /// returns where the plane crosses, from 0 at the source to 1 at the target.
+  Scalar crossing() const { return source.side / (source.side - target.side); }
+};
+
+template <typename Scalar>
+bool is_left(const Cut_point<Scalar>& a)
+{
+  return a.side >= 0;
+}
+
+/// finds the edge by which the half plane leaves the faces around the query point. Where a folded star offers several,
+/// the one that rises or falls least from the direction is taken.
+template <typename View>
+Exit<View> first_exit(const View& view, const Site<View>& site, const Cut<typename View::Scalar>& cut)
+{
+  using Scalar = typename View::Scalar;
+  Exit<View> best;
+  Scalar least_slope = std::numeric_limits<Scalar>::infinity();
+  for(typename View::Halfedge edge : site.rim)
+  {
+    const Cut_point<Scalar> s = cut(view.point(view.source(edge))), t = cut(view.point(view.target(edge)));
+    if(is_left(s) == is_left(t))
+      continue;
+    // Seen with its orientation up, a face is left from right to left; folded over, from left to right.
+    const Cut_point<Scalar> apex = cut(view.point(view.target(view.other_edges(edge).first)));
+    const Scalar turn = (t.y - s.y) * (apex.side - s.side) - (t.side - s.side) * (apex.y - s.y);
+    if(!(is_left(t) ? turn > 0 : turn < 0))
+      continue;
+    const Exit<View> exit{edge, s, t};
+    const Scalar c = exit.crossing();
+    const Scalar slope = std::abs(std::atan2(s.z + c * (t.z - s.z), s.y + c * (t.y - s.y)));
+    if(slope < least_slope)
+    {
+      least_slope = slope;
+      best = exit;
+    }
+  }
+  return best;
+}
+
+/// crosses an edge into the next face and finds the edge by which the plane leaves that; none at a border.
+template <typename View>
+Exit<View> next_exit(const View& view, const Cut<typename View::Scalar>& cut, const Exit<View>& exit)
+{
+  const typename View::Halfedge entry = view.opposite(exit.edge);
+  if(entry == View::null_halfedge())
+    return {};
+  const auto [from_source, to_target] = view.other_edges(entry);
+  const auto apex = cut(view.point(view.target(from_source)));
+  if(is_left(apex) == is_left(exit.source))
+    return {to_target, apex, exit.target};
+  return {from_source, exit.source, apex};
+}
+
+/// One step of a walk: the polyline's next segment leads to the point of the cut at (`y`, `z`).
+template <typename View>
+struct Step
+{
+  typename View::Halfedge edge;     ///< the edge crossed at its end, `null_halfedge()` for the query point
+  typename View::Scalar crossing;   ///< where on that edge
+  typename View::Scalar share;      ///< how much of the way to that crossing is taken: less than 1 at the limb's end
+  typename View::Scalar y, z;       ///< where that leads
+  typename View::Scalar length;     ///< of the limb up to there, in units of the radius
+};
+
+/// How a walk ended, and at which edge if it ended early.
+template <typename View>
+struct Walk_result
+{
+  Limb_end end;
+  typename View::Halfedge edge = View::null_halfedge();
+  typename View::Scalar length = 0;
+};
+
+/// walks a limb and calls `visit(step)` for every segment of it. Linear in the number of faces crossed.
+template <typename View, typename Visitor>
+Walk_result<View> walk_limb(const View& view, const Site<View>& site, Cut<typename View::Scalar> cut, Visitor&& visit)
+{
+  using Scalar = typename View::Scalar;
+  Exit<View> exit = first_exit(view, site, cut);
+  if(!exit.exists())
+  {
+    cut.count_vertices_on_the_plane_as_right();
+    exit = first_exit(view, site, cut);
+  }
+  if(!exit.exists())
+    return {site.on_border ? border : degenerate};
+
+  const typename View::Halfedge first_edge = exit.edge;
+  Scalar y = 0, z = 0, length = 0;
+
+  // takes the segment to (to_y, to_z), shortened so that the limb isn't longer than the radius
+  const auto reaches_radius = [&](typename View::Halfedge edge, Scalar crossing, Scalar to_y, Scalar to_z, Scalar step) {
+    const bool last = length + step >= 1;
+    const Scalar share = last && step > 0 ? (1 - length) / step : Scalar(1);
+    y += share * (to_y - y);
+    z += share * (to_z - z);
+    length = last ? Scalar(1) : length + step;
+    visit(Step<View>{edge, crossing, share, y, z, length});
+    return last;
+  };
+
+  while(true)
+  {
+    const Scalar c = exit.crossing();
+    const Scalar to_y = exit.source.y + c * (exit.target.y - exit.source.y);
+    const Scalar to_z = exit.source.z + c * (exit.target.z - exit.source.z);
+    const Scalar step = std::hypot(to_y - y, to_z - z);
+    if(!std::isfinite(step))
+      return {degenerate, exit.edge, length};
+    if(reaches_radius(exit.edge, c, to_y, to_z, step))
+      return {radius_reached, View::null_halfedge(), length};
+
+    const Exit<View> next = next_exit(view, cut, exit);
+    if(!next.exists())
+      return {border, exit.edge, length};
+    if(next.edge == first_edge) // the section is closed, and the query point is where it closes
+    {
+      const bool last = reaches_radius(View::null_halfedge(), Scalar(0), Scalar(0), Scalar(0), std::hypot(y, z));
+      return {last ? radius_reached : degenerate, View::null_halfedge(), length};
+    }
+    exit = next;
+  }
+}
+
+} // namespace internal
+} // namespace Spider
+} // namespace CGAL
+
+#endif // CGAL_SPIDER_INTERNAL_WALK_LIMB_H
