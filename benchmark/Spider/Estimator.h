@@ -1,4 +1,4 @@
-// Copyright (c) 2026 The Spider authors.
+// Copyright (c) 2026 The Spider developers.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
