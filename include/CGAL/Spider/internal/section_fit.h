@@ -105,33 +105,42 @@ Vec3<Scalar> section_normal(Scalar angle, Scalar slope)
 template <typename Scalar>
 Spider_fit<Scalar> fit_principal_pair(const std::vector<Section<Scalar>>& sections)
 {
-  Spider_fit<Scalar> fit;
-  Scalar greatest_difference = -1, squared_residuals = 0;
-  std::size_t number_of_samples = 0;
   const int count = static_cast<int>(sections.size()), quarter = count / 2;
-  for(int i = 0; i < count; ++i)
-  {
-    if(!sections[i].determined)
-      continue;
-    squared_residuals += sections[i].squared_residuals;
-    number_of_samples += sections[i].number_of_samples;
-    if(i >= quarter || !sections[i + quarter].determined)
-      continue;
-    const Section<Scalar>&first = sections[i], &second = sections[i + quarter];
-    const Scalar difference = second.curvature - first.curvature;
-    if(!(std::abs(difference) > greatest_difference))
-      continue;
-    greatest_difference = std::abs(difference);
-    const bool in_order = difference >= 0;
-    const Scalar angle = angle_of_direction<Scalar>(i, count), orthogonal = angle_of_direction<Scalar>(i + quarter, count);
-    fit.determined = true;
-    fit.min_curvature = in_order ? first.curvature : second.curvature;
-    fit.max_curvature = in_order ? second.curvature : first.curvature;
-    fit.min_angle = in_order ? angle : orthogonal;
-    fit.normal = (section_normal(angle, first.slope) + section_normal(orthogonal, second.slope)).normalized();
-  }
-  if(number_of_samples > 0)
-    fit.residual = std::sqrt(squared_residuals / number_of_samples);
+  const auto difference = [&](int i) { return sections[i + quarter].curvature - sections[i].curvature; };
+  int principal = 0;
+  for(int i = 1; i < quarter; ++i)
+    if(!(std::abs(difference(principal)) >= std::abs(difference(i)))) // also where the one is undetermined, thus NaN
+      principal = std::isnan(difference(i)) ? principal : i;
+
+  Spider_fit<Scalar> fit;
+  if(std::isnan(difference(principal)))
+    return fit;
+  fit.determined = true;
+  const bool in_order = difference(principal) >= 0;
+  const int least = in_order ? principal : principal + quarter, greatest = in_order ? principal + quarter : principal;
+  fit.min_curvature = sections[least].curvature;
+  fit.max_curvature = sections[greatest].curvature;
+  fit.min_angle = angle_of_direction<Scalar>(least, count);
+
+  // At the tip of a cube three pairs tie. One pair stands for directions up to a spacing away, where by Euler's theorem
+  // the difference falls by the cosine of twice that: pairs that near to the greatest share in the normal.
+  const Scalar as_great = std::cos(2 * angle_of_direction<Scalar>(1, count)) * std::abs(difference(principal));
+  Vec3<Scalar> normal = Vec3<Scalar>::Zero();
+  for(int i = 0; i < quarter; ++i)
+    if(std::abs(difference(i)) >= as_great)
+      for(int k : {i, i + quarter})
+        normal += section_normal(angle_of_direction<Scalar>(k, count), sections[k].slope);
+  fit.normal = normal.normalized();
+
+  Scalar squared_residuals = 0;
+  std::size_t number_of_samples = 0;
+  for(const Section<Scalar>& section : sections)
+    if(section.determined)
+    {
+      squared_residuals += section.squared_residuals;
+      number_of_samples += section.number_of_samples;
+    }
+  fit.residual = std::sqrt(squared_residuals / Scalar(number_of_samples));
   return fit;
 }
 
