@@ -1,4 +1,4 @@
-// Copyright (c) 2026 The Spider authors.
+// Copyright (c) 2026 The Spider developers.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
@@ -6,6 +6,14 @@
 #define CGAL_SPIDER_BENCHMARK_ESTIMATORS_H
 
 #include "Estimator.h"
+
+#include "estimators/Corrected_curvatures.h"
+#include "estimators/Goldfeather_Interrante_2004.h"
+#include "estimators/Jet_fitting.h"
+#include "estimators/Meyer_2003.h"
+#include "estimators/Normal_cycle_2003.h"
+#include "estimators/Rusinkiewicz_2004.h"
+#include "estimators/Taubin_1995.h"
 
 namespace CGAL {
 namespace Spider {
@@ -16,6 +24,21 @@ namespace benchmark {
 inline Estimators all_estimators()
 {
   Estimators all;
+  all.push_back(std::make_unique<Jet_fitting>(2, Jet_fitting::Neighbourhood::rings));
+  all.push_back(std::make_unique<Jet_fitting>(2, Jet_fitting::Neighbourhood::ball));
+  all.push_back(std::make_unique<Jet_fitting>(4, Jet_fitting::Neighbourhood::rings));
+  all.push_back(std::make_unique<Jet_fitting>(4, Jet_fitting::Neighbourhood::ball));
+  all.push_back(std::make_unique<Meyer_2003>(Meyer_2003::Smoothing::none));
+  all.push_back(std::make_unique<Meyer_2003>(Meyer_2003::Smoothing::laplacian));
+  all.push_back(std::make_unique<Taubin_1995>());
+  all.push_back(std::make_unique<Normal_cycle_2003>());
+  all.push_back(std::make_unique<Rusinkiewicz_2004>());
+  all.push_back(std::make_unique<Goldfeather_Interrante_2004>(Goldfeather_Interrante_2004::Neighbourhood::one_ring));
+  all.push_back(std::make_unique<Goldfeather_Interrante_2004>(Goldfeather_Interrante_2004::Neighbourhood::ball));
+#ifdef CGAL_SPIDER_HAS_CORRECTED_CURVATURES
+  all.push_back(std::make_unique<Corrected_curvatures>(Corrected_curvatures::Neighbourhood::one_ring));
+  all.push_back(std::make_unique<Corrected_curvatures>(Corrected_curvatures::Neighbourhood::ball));
+#endif
   return all;
 }
 
