@@ -1,0 +1,55 @@
+// Copyright (c) 2026 The Spider developers.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPIDER_DEMO_FOR_EACH_VERTEX_H
+#define CGAL_SPIDER_DEMO_FOR_EACH_VERTEX_H
+
+#include "demo_types.h"
+
+#include <CGAL/Real_timer.h>
+#include <CGAL/for_each.h>
+#include <CGAL/tags.h>
+
+#include <boost/timer/progress_display.hpp>
+
+#include <algorithm>
+#include <iostream>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Spider {
+namespace demo {
+
+// calls f(v) for every vertex, on all cores where TBB is there, under a bar that shows how far the work is. Returns the
+// seconds that it took.
+template <typename Function>
+double for_each_vertex(const Mesh& mesh, const std::string& title, const Function& f)
+{
+  // as many parts as the bar has ticks
+  constexpr std::size_t number_of_parts = 50;
+
+  const std::vector<Vertex> vertices(mesh.vertices().begin(), mesh.vertices().end());
+  boost::timer::progress_display progress(vertices.size(), std::cerr, title + "\n");
+  CGAL::Real_timer timer;
+  timer.start();
+  for(std::size_t part = 0; part < number_of_parts; ++part)
+  {
+    const std::size_t begin = part * vertices.size() / number_of_parts;
+    const std::size_t end = (part + 1) * vertices.size() / number_of_parts;
+    const auto vertices_of_part = CGAL::make_range(vertices.begin() + begin, vertices.begin() + end);
+    CGAL::for_each<CGAL::Parallel_if_available_tag>(vertices_of_part, [&f](const Vertex& v) {
+      f(v);
+      return true; // CGAL's word for: go on
+    });
+    progress += end - begin;
+  }
+  return timer.time();
+}
+
+} // namespace demo
+} // namespace Spider
+} // namespace CGAL
+
+#endif // CGAL_SPIDER_DEMO_FOR_EACH_VERTEX_H
