@@ -1,0 +1,226 @@
+// Copyright (c) 2026 The Spider developers.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The parts of the demo program. Whether the whole of it runs is tested by demo_runs.cmake.
+
+#include "Jet_estimator.h"
+#include "colour.h"
+#include "for_each_vertex.h"
+#include "read_mesh.h"
+#include "statistics.h"
+
+#include <CGAL/Polygon_mesh_processing/orientation.h>
+#include <CGAL/boost/graph/generators.h>
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cmath>
+#include <fstream>
+
+namespace {
+
+namespace demo = CGAL::Spider::demo;
+using demo::Kernel;
+using demo::Mesh;
+using demo::Vertex;
+
+constexpr double nan_value = std::numeric_limits<double>::quiet_NaN();
+
+// a grid of the unit square lifted to the sphere of radius 2 around (1/2, 1/2, -2), its faces counterclockwise from
+// above
+Mesh spherical_cap()
+{
+  constexpr int n = 16;
+  Mesh mesh;
+  const auto on_sphere = [](const Kernel::Point_3& p) {
+    const double x = p.x() - 0.5, y = p.y() - 0.5;
+    return Kernel::Point_3(p.x(), p.y(), std::sqrt(4 - x * x - y * y) - 2);
+  };
+  const auto point = [&](std::size_t i, std::size_t j) {
+    return on_sphere(Kernel::Point_3(double(i) / n, double(j) / n, 0));
+  };
+  CGAL::make_grid(n, n, mesh, point, true);
+  return mesh;
+}
+
+Vertex vertex_nearest_to(const Mesh& mesh, const Kernel::Point_3& p)
+{
+  return *std::min_element(mesh.vertices().begin(), mesh.vertices().end(), [&](Vertex v, Vertex w) {
+    return CGAL::squared_distance(mesh.point(v), p) < CGAL::squared_distance(mesh.point(w), p);
+  });
+}
+
+std::string written_file(const std::string& name, const std::string& content)
+{
+  const std::string path = testing::TempDir() + name;
+  std::ofstream(path) << content;
+  return path;
+}
+
+std::string refusal(const std::string& file)
+{
+  try
+  {
+    demo::read_mesh(file);
+  }
+  catch(const demo::Unusable_mesh& reason)
+  {
+    return reason.what();
+  }
+  return "";
+}
+
+TEST(Demo_jets, have_spiders_signs)
+{
+  // The fit's own error at this radius is that of a quadratic on an arc of 0.15 radians, (r/R)^2 of the curvature.
+  Mesh mesh = spherical_cap();
+  const Vertex centre = vertex_nearest_to(mesh, {0.5, 0.5, 0});
+  const auto convex = demo::Jet_estimator(mesh, 0.3)(centre);
+  EXPECT_NEAR(convex.min_curvature, 0.5, 0.5 * 0.0225);
+  EXPECT_NEAR(convex.max_curvature, 0.5, 0.5 * 0.0225);
+  EXPECT_LE(convex.min_curvature, convex.max_curvature);
+
+  CGAL::Polygon_mesh_processing::reverse_face_orientations(mesh);
+  const auto concave = demo::Jet_estimator(mesh, 0.3)(centre);
+  EXPECT_DOUBLE_EQ(concave.min_curvature, -convex.max_curvature);
+  EXPECT_DOUBLE_EQ(concave.max_curvature, -convex.min_curvature);
+}
+
+TEST(Demo_jets, take_connected_vertices_within_the_radius)
+{
+  Mesh mesh = spherical_cap();
+  const Vertex centre = vertex_nearest_to(mesh, {0.5, 0.5, 0});
+  const double radius = 0.2;
+  std::size_t within = 0;
+  for(Vertex v : mesh.vertices())
+    within += CGAL::squared_distance(mesh.point(v), mesh.point(centre)) <= radius * radius;
+  mesh.add_vertex(mesh.point(centre)); // near, but not connected
+
+  std::vector<Kernel::Point_3> points;
+  for(int repeat = 0; repeat < 2; ++repeat)
+  {
+    demo::collect_connected_points(centre, mesh, radius, points);
+    EXPECT_EQ(points.size(), within);
+    EXPECT_EQ(points.front(), mesh.point(centre));
+  }
+}
+
+TEST(Demo_jets, say_nan_where_points_are_too_few)
+{
+  Mesh mesh;
+  CGAL::make_tetrahedron(Kernel::Point_3(0, 0, 0), {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, mesh);
+  const Vertex isolated = mesh.add_vertex(Kernel::Point_3(2, 2, 2));
+  const demo::Jet_estimator jets(mesh, 10);
+  for(Vertex v : mesh.vertices())
+    EXPECT_TRUE(std::isnan(jets(v).mean_curvature())) << v;
+  EXPECT_TRUE(std::isnan(jets(isolated).max_curvature));
+}
+
+TEST(Demo_for_each_vertex, visits_every_vertex_once)
+{
+  for(std::size_t n : {0, 1, 49, 50, 1234})
+  {
+    Mesh mesh;
+    for(std::size_t i = 0; i < n; ++i)
+      mesh.add_vertex(Kernel::Point_3(0, 0, 0));
+    std::vector<std::atomic<int>> visits(n);
+    testing::internal::CaptureStderr();
+    EXPECT_GE(demo::for_each_vertex(mesh, "title", [&](Vertex v) { ++visits[v]; }), 0);
+    EXPECT_EQ(testing::internal::GetCapturedStderr().find("title"), 0u);
+    EXPECT_TRUE(std::all_of(visits.begin(), visits.end(), [](int count) { return count == 1; })) << n;
+  }
+}
+
+TEST(Demo_statistics, quantiles_interpolate_and_leave_nan_out)
+{
+  const auto sorted = demo::sorted_numbers({4, nan_value, 1, 3, 2});
+  ASSERT_EQ(sorted, (std::vector<double>{1, 2, 3, 4}));
+  EXPECT_DOUBLE_EQ(demo::quantile(sorted, 0), 1);
+  EXPECT_DOUBLE_EQ(demo::quantile(sorted, 0.5), 2.5);
+  EXPECT_DOUBLE_EQ(demo::quantile(sorted, 1), 4);
+  EXPECT_TRUE(std::isnan(demo::quantile({}, 0.5)));
+}
+
+TEST(Demo_statistics, agreement_counts_places_where_both_give_a_number)
+{
+  const auto same_but_shifted = demo::agreement({1, 2, 3, nan_value, 5}, {1.5, 2.5, 3.5, 4, nan_value});
+  EXPECT_DOUBLE_EQ(same_but_shifted.median_difference, 0.5);
+  EXPECT_DOUBLE_EQ(same_but_shifted.large_difference, 0.5);
+  EXPECT_DOUBLE_EQ(same_but_shifted.correlation, 1);
+  EXPECT_DOUBLE_EQ(demo::agreement({1, 2, 3}, {3, 2, 1}).correlation, -1);
+}
+
+TEST(Demo_colour, diverges_from_white)
+{
+  using CGAL::IO::Color;
+  EXPECT_EQ(demo::diverging_colour(0, 2), Color(247, 247, 247));
+  EXPECT_EQ(demo::diverging_colour(2, 2), Color(178, 24, 43));
+  EXPECT_EQ(demo::diverging_colour(1e9, 2), Color(178, 24, 43));
+  EXPECT_EQ(demo::diverging_colour(-2, 2), Color(33, 102, 172));
+  EXPECT_EQ(demo::diverging_colour(1, 2), Color(244, 165, 130));
+  EXPECT_EQ(demo::diverging_colour(nan_value, 2), Color(64, 64, 64));
+  EXPECT_EQ(demo::diverging_colour(0, 0), Color(247, 247, 247));
+}
+
+TEST(Demo_read_mesh, triangulates_polygons)
+{
+  const auto mesh = demo::read_mesh(written_file("quad.off", "OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n"));
+  EXPECT_EQ(mesh.number_of_vertices(), 4u);
+  EXPECT_EQ(mesh.number_of_faces(), 2u);
+}
+
+TEST(Demo_read_mesh, joins_the_triangles_of_an_stl_file)
+{
+  const auto mesh = demo::read_mesh(written_file("two.stl", R"(solid two
+facet normal 0 0 1
+outer loop
+vertex 0 0 0
+vertex 1 0 0
+vertex 1 1 0
+endloop
+endfacet
+facet normal 0 0 1
+outer loop
+vertex 0 0 0
+vertex 1 1 0
+vertex 0 1 0
+endloop
+endfacet
+endsolid two
+)"));
+  EXPECT_EQ(mesh.number_of_vertices(), 4u);
+  EXPECT_EQ(mesh.number_of_faces(), 2u);
+  EXPECT_EQ(mesh.number_of_edges(), 5u);
+}
+
+TEST(Demo_read_mesh, turns_faces_to_agree)
+{
+  const auto mesh =
+    demo::read_mesh(written_file("turned.off", "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 3 2\n"));
+  EXPECT_EQ(mesh.number_of_vertices(), 4u);
+  EXPECT_EQ(mesh.number_of_edges(), 5u);
+}
+
+TEST(Demo_read_mesh, refuses_in_one_line)
+{
+  const std::string fin = "OFF\n5 3 0\n0 0 0\n1 0 0\n0 1 0\n0 -1 0\n0 0 1\n3 0 1 2\n3 0 1 3\n3 0 1 4\n";
+  const std::vector<std::pair<std::string, std::string>> cases = {
+    {testing::TempDir() + "no-such-file.off", "can't be opened"},
+    {written_file("text.off", "no mesh at all"), "can't be read"},
+    {written_file("mesh.unknown", "OFF\n"), "can't be read"},
+    {written_file("truncated.off", "OFF\n3 1 0\n0 0 0\n1 0"), "can't be read"},
+    {written_file("points.off", "OFF\n1 0 0\n0 0 0\n"), "has no faces"},
+    {written_file("index.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n"), ""},
+    {written_file("fin.off", fin), "isn't an orientable manifold"}};
+  for(const auto& [file, reason] : cases)
+  {
+    const std::string message = refusal(file);
+    EXPECT_EQ(message.find(file + ": "), 0u) << file;
+    EXPECT_NE(message.find(reason), std::string::npos) << message;
+    EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+  }
+}
+
+} // namespace
