@@ -1,3 +1,4 @@
+# shellcheck shell=bash disable=SC2034
 # For run-tests and run-demo, which source it: what a fresh Debian or Ubuntu machine lacks is installed here.
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)

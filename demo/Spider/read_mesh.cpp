@@ -39,8 +39,6 @@ Polygon_soup read_polygon_soup(const std::string& file)
   Polygon_soup soup;
   if(!CGAL::IO::read_polygon_soup(file, soup.points, soup.polygons))
     throw Unusable_mesh(file, "can't be read as an OFF, OBJ, PLY or STL file (its name must end in one of these)");
-  if(soup.polygons.empty())
-    throw Unusable_mesh(file, "has no faces");
   if(!std::all_of(soup.points.begin(), soup.points.end(), is_finite))
     throw Unusable_mesh(file, "has a coordinate that isn't a finite number");
   for(const auto& polygon : soup.polygons)
@@ -73,6 +71,8 @@ Mesh read_mesh(const std::string& file)
 
   Polygon_soup soup = read_polygon_soup(file);
   make_manifold(soup, file);
+  if(soup.polygons.empty())
+    throw Unusable_mesh(file, "has no faces, or none with three different vertices");
   Mesh mesh;
   PMP::polygon_soup_to_polygon_mesh(soup.points, soup.polygons, mesh);
   if(!CGAL::is_triangle_mesh(mesh) && !PMP::triangulate_faces(mesh))

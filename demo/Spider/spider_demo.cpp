@@ -16,6 +16,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include <cmath>
+#include <cstdlib>
 #include <exception>
 #include <iostream>
 
@@ -32,6 +34,13 @@ struct Options
   std::string output = "curvature.ply";
   double radius_in_edges = 4; // Spider's own default
 };
+
+// CLI11's own check would tell the greatest number there is, digit by digit.
+std::string is_positive(const std::string& text)
+{
+  const double value = std::strtod(text.c_str(), nullptr);
+  return value > 0 && std::isfinite(value) ? "" : text + " is no positive number";
+}
 
 double mean_edge_length(const Mesh& mesh)
 {
@@ -65,6 +74,8 @@ int run_demo(const Options& options)
 {
   const Mesh mesh = demo::read_mesh(options.mesh);
   const double radius = options.radius_in_edges * mean_edge_length(mesh);
+  if(!(radius > 0 && std::isfinite(radius)))
+    throw demo::Unusable_mesh(options.mesh, "has no edges of positive, finite length");
   std::cout << options.mesh << ": " << mesh.number_of_vertices() << " vertices, " << mesh.number_of_faces()
             << " triangles\nradius " << radius << ", " << options.radius_in_edges << " mean edge lengths" << std::endl;
 
@@ -87,7 +98,7 @@ int main(int argc, char* argv[])
   CLI::App app("Estimates the curvature of a mesh with Spider, beside CGAL's jet fitting.");
   app.add_option("mesh", options.mesh, "an OFF, OBJ, PLY or STL file")->required();
   app.add_option("--radius-in-edges", options.radius_in_edges, "geodesic radius, in mean edge lengths of the mesh")
-    ->check(CLI::PositiveNumber)
+    ->check(is_positive)
     ->capture_default_str();
   app.add_option("--output", options.output, "the PLY file to write")->capture_default_str();
 

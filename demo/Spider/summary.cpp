@@ -90,6 +90,18 @@ double root_mean_square_curvature(const std::vector<Jet_estimate>& jets)
   return std::sqrt(sum / count);
 }
 
+void print_agreement(std::ostream& out, const Agreement& in_H, double rms)
+{
+  if(std::isnan(in_H.median_difference))
+  {
+    out << "\nNo vertex has an answer of both, so there is nothing to compare.\n";
+    return;
+  }
+  out << "\nH of the two differs by " << in_H.median_difference / rms << " (median) and " << in_H.large_difference / rms
+      << " (95th percentile)\nof the root mean square curvature, " << rms << "; their correlation is "
+      << in_H.correlation << ".\n";
+}
+
 } // namespace
 
 void print_summary(std::ostream& out, const Run<Estimate>& spider, const Run<Jet_estimate>& jets)
@@ -103,11 +115,7 @@ void print_summary(std::ostream& out, const Run<Estimate>& spider, const Run<Jet
   print_distribution(out, "H", spider_H, jets_H);
   print_distribution(out, "K", values(spider.answers, Gaussian_curvature), values(jets.answers, Gaussian_curvature));
 
-  const double rms = root_mean_square_curvature(jets.answers);
-  const Agreement both = agreement(spider_H, jets_H);
-  out << "\nH of the two differs by " << both.median_difference / rms << " (median) and " << both.large_difference / rms
-      << " (95th percentile)\nof the root mean square curvature, " << rms << "; their correlation is "
-      << both.correlation << ".\n";
+  print_agreement(out, agreement(spider_H, jets_H), root_mean_square_curvature(jets.answers));
 }
 
 } // namespace demo

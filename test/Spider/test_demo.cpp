@@ -211,6 +211,7 @@ TEST(Demo_read_mesh, refuses_in_one_line)
     {written_file("text.off", "no mesh at all"), "can't be read"},
     {written_file("mesh.unknown", "OFF\n"), "can't be read"},
     {written_file("truncated.off", "OFF\n3 1 0\n0 0 0\n1 0"), "can't be read"},
+    {written_file("repeated.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 0 1\n"), "has no faces"},
     {written_file("points.off", "OFF\n1 0 0\n0 0 0\n"), "has no faces"},
     {written_file("index.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n"), ""},
     {written_file("fin.off", fin), "isn't an orientable manifold"}};
