@@ -25,6 +25,30 @@ namespace internal {
                               "call Polygon_mesh_processing::triangulate_faces() first");
 }
 
+/// The graph's own functions, for where members of the same name hide them. They are looked up by the graph's type, so
+/// that its header may come after Spider's, and its namespace may be any.
+namespace bgl {
+
+template <typename Descriptor, typename Graph>
+auto source_of(Descriptor h, const Graph& g) { return source(h, g); }
+
+template <typename Descriptor, typename Graph>
+auto target_of(Descriptor h, const Graph& g) { return target(h, g); }
+
+template <typename Descriptor, typename Graph>
+auto halfedge_of(Descriptor d, const Graph& g) { return halfedge(d, g); }
+
+template <typename Descriptor, typename Graph>
+auto face_of(Descriptor h, const Graph& g) { return face(h, g); }
+
+template <typename Descriptor, typename Graph>
+auto edge_of(Descriptor h, const Graph& g) { return edge(h, g); }
+
+template <typename Descriptor, typename Graph>
+auto opposite_of(Descriptor h, const Graph& g) { return opposite(h, g); }
+
+} // namespace bgl
+
 /// What the walk needs of a mesh, straight from the caller's `FaceGraph`: no set-up, for single queries.
 template <typename TriangleMesh, typename VertexPointMap>
 class Graph_view
@@ -44,17 +68,17 @@ public:
   static Vertex null_vertex() { return Traits::null_vertex(); }
   static Face null_face() { return Traits::null_face(); }
 
-  Vertex source(Halfedge h) const { return CGAL::source(h, tmesh_); }
-  Vertex target(Halfedge h) const { return CGAL::target(h, tmesh_); }
-  Halfedge halfedge(Face f) const { return CGAL::halfedge(f, tmesh_); }
-  Face face(Halfedge h) const { return CGAL::face(h, tmesh_); }
-  auto edge(Halfedge h) const { return CGAL::edge(h, tmesh_); }
+  Vertex source(Halfedge h) const { return bgl::source_of(h, tmesh_); }
+  Vertex target(Halfedge h) const { return bgl::target_of(h, tmesh_); }
+  Halfedge halfedge(Face f) const { return bgl::halfedge_of(f, tmesh_); }
+  Face face(Halfedge h) const { return bgl::face_of(h, tmesh_); }
+  auto edge(Halfedge h) const { return bgl::edge_of(h, tmesh_); }
   Vec3<Scalar> point(Vertex v) const { return to_vec3<Scalar>(get(vpm_, v)); }
 
   /// returns the other half of an edge, or `null_halfedge()` where there is no face on that side.
   Halfedge opposite(Halfedge h) const
   {
-    const Halfedge o = CGAL::opposite(h, tmesh_);
+    const Halfedge o = bgl::opposite_of(h, tmesh_);
     return CGAL::is_border(o, tmesh_) ? null_halfedge() : o;
   }
 
@@ -73,7 +97,7 @@ public:
   Halfedge first_corner(Vertex v) const
   {
     Halfedge best = null_halfedge();
-    const Halfedge incoming = CGAL::halfedge(v, tmesh_);
+    const Halfedge incoming = bgl::halfedge_of(v, tmesh_);
     if(incoming == null_halfedge())
       return best;
     std::pair<Vertex, Vertex> best_rim;

@@ -73,9 +73,9 @@ public:
     const auto id = [&](Mesh_halfedge h) -> Halfedge {
       if(h == boost::graph_traits<TriangleMesh>::null_halfedge())
         return null_halfedge();
-      const auto f = CGAL::face(h, tmesh);
+      const auto f = view.face(h);
       Halfedge result = static_cast<Halfedge>(3 * faces(f));
-      for(Mesh_halfedge at = CGAL::halfedge(f, tmesh); at != h; at = next(at, tmesh))
+      for(Mesh_halfedge at = view.halfedge(f); at != h; at = next(at, tmesh))
         ++result;
       return result;
     };
@@ -84,7 +84,7 @@ public:
     opposites_.reserve(3 * faces.size());
     for(std::size_t f = 0; f < faces.size(); ++f)
     {
-      const Mesh_halfedge first = CGAL::halfedge(faces[f], tmesh);
+      const Mesh_halfedge first = view.halfedge(faces[f]);
       const auto [second, third] = view.other_edges(first);
       for(Mesh_halfedge h : {first, second, third})
       {
