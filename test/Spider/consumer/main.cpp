@@ -19,7 +19,7 @@ namespace Spider = CGAL::Spider;
 int main()
 {
   Mesh mesh;
-  CGAL::make_icosahedron(mesh);
+  CGAL::make_icosahedron<Mesh, Kernel::Point_3>(mesh);
 
   auto curvature = mesh.add_property_map<Mesh::Vertex_index, Spider::Curvature_estimate_3<Kernel>>("v:curvature").first;
   Spider::estimate_vertex_curvatures<CGAL::Parallel_if_available_tag>(mesh, curvature,
