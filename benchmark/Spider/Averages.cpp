@@ -14,8 +14,7 @@ namespace Spider {
 namespace benchmark {
 
 Averages::Averages(std::vector<std::string> estimators, std::vector<std::string> tessellations)
-  : estimators(std::move(estimators))
-  , tessellations(std::move(tessellations))
+  : estimators(std::move(estimators)), tessellations(std::move(tessellations))
 {}
 
 void Averages::Average::add(double figure)
@@ -41,8 +40,8 @@ void Averages::add(double noise, double radius, const std::string& estimator, co
 void Averages::print(std::ostream& out) const
 {
   constexpr int name_width = 24, width = 9;
-  const std::array<const char*, figures> titles = {"H / RMS", "K / RMS^2", "direction, degrees", "wild or NaN, per 1000",
-                                                   "microseconds / vertex"};
+  const std::array<const char*, figures> titles = {"H / RMS", "K / RMS^2", "direction, degrees",
+                                                   "wild or NaN, per 1000", "microseconds / vertex"};
   out << "Mean errors over interior vertices, averaged over shapes and seeds.\n";
   for(const auto& block : blocks)
   {

@@ -17,8 +17,8 @@ namespace CGAL {
 namespace Spider {
 namespace benchmark {
 
-// What compare_accuracy prints: the figures of each estimator, averaged over shapes and seeds, a block for each noise and
-// radius, a column for each tessellation.
+// What compare_accuracy prints: the figures of each estimator, averaged over shapes and seeds, a block for each noise
+// and radius, a column for each tessellation.
 class Averages
 {
 public:

@@ -20,9 +20,7 @@ namespace benchmark {
 class Random
 {
 public:
-  explicit Random(std::uint64_t seed)
-    : engine(seed)
-  {}
+  explicit Random(std::uint64_t seed) : engine(seed) {}
 
   // in [0, 1), with all 53 bits of a double
   double uniform() { return static_cast<double>(engine() >> 11) * 0x1p-53; }

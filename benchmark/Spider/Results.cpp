@@ -65,8 +65,7 @@ void append(Row& row, const std::string& name, const Summary& summary)
 
 } // namespace
 
-Results::Results(std::string program, std::string command_line)
-  : program(std::move(program))
+Results::Results(std::string program, std::string command_line) : program(std::move(program))
 {
   content["program"] = this->program;
   content["command_line"] = std::move(command_line);
@@ -79,9 +78,8 @@ Results::Results(std::string program, std::string command_line)
 void Results::describe(const Estimators& estimators)
 {
   for(const auto& estimator : estimators)
-    content["estimators"].push_back({{"name", estimator->name()},
-                                     {"settings", estimator->settings()},
-                                     {"uses_radius", estimator->uses_radius()}});
+    content["estimators"].push_back(
+      {{"name", estimator->name()}, {"settings", estimator->settings()}, {"uses_radius", estimator->uses_radius()}});
 }
 
 void Results::add(const std::string& table, Row row) { content["tables"][table].push_back(std::move(row)); }
@@ -117,7 +115,12 @@ std::string to_text(double number)
     return "-";
   std::ostringstream text;
   if(number == 0 || (number >= 0.001 && number < 1000))
-    text << std::fixed << std::setprecision(number >= 100 ? 0 : number >= 10 ? 1 : number >= 1 ? 2 : number >= 0.1 ? 3 : 4)
+    text << std::fixed
+         << std::setprecision(number >= 100   ? 0
+                              : number >= 10  ? 1
+                              : number >= 1   ? 2
+                              : number >= 0.1 ? 3
+                                              : 4)
          << number;
   else
     text << std::scientific << std::setprecision(1) << number;

@@ -27,10 +27,13 @@ struct Level
   Eigen::Matrix3d Hessian;
 };
 
-// Maps [0, 1] onto itself, increasing: where a tessellation puts its rows.
-using Grading = std::function<double(double)>;
-
-inline double even_rows(double t) { return t; }
+// The rows of a tessellation, across the surface's first coordinate.
+struct Rows
+{
+  std::function<double(double)> position; // of the row at a share of all rows; maps [0, 1] onto itself, increasing
+  double crowding =
+    1; // how much closer they are than the columns, on average; closed shapes without grid don't heed it
+};
 
 // A surface whose curvature is known exactly: the zero set of a function that grows along the surface's normal.
 class Shape
@@ -43,9 +46,8 @@ public:
   // the function, its value negative on the inner side
   virtual Level level(const Point& p) const = 0;
 
-  // a regular mesh of about `number_of_vertices` vertices that lie on the surface, its faces showing the outer side;
-  // `grading` spreads its rows unevenly along one of the surface's two coordinates
-  virtual Mesh tessellate(std::size_t number_of_vertices, const Grading& grading) const = 0;
+  // a regular mesh of about `number_of_vertices` vertices that lie on the surface, its faces showing the outer side
+  virtual Mesh tessellate(std::size_t number_of_vertices, const Rows& rows) const = 0;
 
   // the principal curvatures and directions and the normal at a point of the surface
   Estimate truth(const Point& p) const;

@@ -4,15 +4,13 @@
 
 // How wrong the estimators are on surfaces whose curvature is known.
 
+#include "Averages.h"
 #include "Results.h"
 #include "Surface.h"
 #include "options.h"
 #include "registry.h"
 
 #include <algorithm>
-#include <iomanip>
-#include <map>
-#include <tuple>
 
 using namespace CGAL::Spider::benchmark;
 
@@ -33,19 +31,24 @@ struct Options : Common_options
 void read_options(CLI::App& app, Options& o)
 {
   o.add_to(app);
-  app.add_option("--shapes", o.shapes, "Of sphere, torus, ellipsoid, saddle, waves, cylinder, monkey_saddle, implicit; or all")
-      ->delimiter(',')->capture_default_str();
+  app
+    .add_option("--shapes", o.shapes,
+                "Of sphere, torus, ellipsoid, saddle, waves, cylinder, monkey_saddle, implicit; or all")
+    ->delimiter(',')
+    ->capture_default_str();
   app.add_option("--tessellations", o.tessellations, "Of regular, irregular, slivers")
-      ->delimiter(',')->capture_default_str();
+    ->delimiter(',')
+    ->capture_default_str();
   app.add_option("--noise", o.noise, "Amplitudes in mean edge lengths; 1 is the paper's")
-      ->delimiter(',')->capture_default_str();
+    ->delimiter(',')
+    ->capture_default_str();
   app.add_option("--radii", o.radii, "Radii in mean edge lengths")->delimiter(',')->capture_default_str();
   app.add_option("--vertices", o.vertices, "About as many per mesh")->capture_default_str();
   app.add_option("--seeds", o.seeds, "How many meshes of each kind, which differ in what is random")
-      ->capture_default_str();
+    ->capture_default_str();
   app.add_flag("--gaussian", o.gaussian, "Gaussian noise of the same standard deviation instead of uniform noise");
   app.add_option("--outliers", o.outliers, "Share of vertices that are moved by three mean edge lengths")
-      ->capture_default_str();
+    ->capture_default_str();
 }
 
 // what --quick sets where nothing else was asked for
@@ -65,10 +68,8 @@ class Comparison
 {
 public:
   Comparison(const Options& options, std::string command_line)
-    : options(options)
-    , estimators(select_estimators(options.estimators))
-    , results("accuracy", std::move(command_line))
-    , averages(names(estimators), options.tessellations)
+    : options(options), estimators(select_estimators(options.estimators)), results("accuracy", std::move(command_line)),
+      averages(names(estimators), options.tessellations)
   {
     results.describe(estimators);
   }
@@ -145,7 +146,7 @@ private:
     const Timed_estimates timed = CGAL::Spider::benchmark::run(estimator, surface.mesh, length);
     const double microseconds = 1e6 * timed.seconds / surface.mesh.number_of_vertices();
     const Errors errors =
-        compare(timed.estimates, surface.truth, interior_vertices(surface, length), surface.rms_curvature);
+      compare(timed.estimates, surface.truth, interior_vertices(surface, length), surface.rms_curvature);
 
     const double shown_radius = estimator.uses_radius() ? radius : 0;
     averages.add(recipe.noise.amplitude, shown_radius, estimator.name(), tessellation, errors, microseconds);

@@ -14,8 +14,9 @@ namespace CGAL {
 namespace Spider {
 namespace benchmark {
 
-Mesh make_grid(const Axis& s, const Axis& t, const std::function<Point(double, double)>& position)
+Mesh make_grid(const std::pair<Axis, Axis>& axes, const std::function<Point(double, double)>& position)
 {
+  const auto& [s, t] = axes;
   const std::size_t s_cells = s.closed ? s.count : s.count - 1;
   const std::size_t t_cells = t.closed ? t.count : t.count - 1;
 
@@ -26,8 +27,8 @@ Mesh make_grid(const Axis& s, const Axis& t, const std::function<Point(double, d
       mesh.add_vertex(position(static_cast<double>(i) / static_cast<double>(s_cells),
                                static_cast<double>(j) / static_cast<double>(t_cells)));
 
-  const auto vertex = [&](std::size_t i, std::size_t j) {
-    return Mesh::Vertex_index(static_cast<Mesh::size_type>((j % t.count) * s.count + i % s.count));
+  const auto vertex = [columns = s.count, rows = t.count](std::size_t i, std::size_t j) {
+    return Mesh::Vertex_index(static_cast<Mesh::size_type>((j % rows) * columns + i % columns));
   };
   for(std::size_t j = 0; j < t_cells; ++j)
     for(std::size_t i = 0; i < s_cells; ++i)
@@ -45,10 +46,8 @@ class Refinement
 {
 public:
   Refinement(const Mesh& mesh, unsigned int pieces)
-    : mesh(mesh)
-    , pieces(pieces)
-    , edges_begin(mesh.num_vertices())
-    , faces_begin(edges_begin + mesh.num_edges() * (pieces - 1))
+    : mesh(mesh), pieces(pieces), edges_begin(mesh.num_vertices()),
+      faces_begin(edges_begin + mesh.num_edges() * (pieces - 1))
   {
     const std::size_t faces = mesh.num_faces() * pieces * pieces;
     const std::size_t vertices = faces_begin + mesh.num_faces() * (pieces - 1) * (pieces - 2) / 2;
@@ -75,7 +74,8 @@ public:
   }
 
 private:
-  // In a face with halfedges h0, h1, h2, vertex (i, row) is i steps along h0 and row steps towards h0's opposite corner.
+  // In a face with halfedges h0, h1, h2, vertex (i, row) is i steps along h0 and row steps towards h0's opposite
+  // corner.
   Mesh::Vertex_index vertex(Mesh::Face_index face, unsigned int i, unsigned int row) const
   {
     const auto h0 = mesh.halfedge(face);

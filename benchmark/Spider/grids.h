@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <utility>
 
 namespace CGAL {
 namespace Spider {
@@ -23,7 +24,7 @@ struct Axis
 
 // The grid over [0, 1]^2, each cell cut along the same diagonal; `position` maps (s, t) to the surface, and the faces
 // show the side of the cross product of its derivatives by s and by t.
-Mesh make_grid(const Axis& s, const Axis& t, const std::function<Point(double, double)>& position);
+Mesh make_grid(const std::pair<Axis, Axis>& axes, const std::function<Point(double, double)>& position);
 
 // `mesh` with every edge cut into `pieces` equal ones and every face into their square, all flat.
 Mesh refine(const Mesh& mesh, unsigned int pieces);

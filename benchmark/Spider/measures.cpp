@@ -37,9 +37,7 @@ double angle_of_lines(const Vector& u, const Vector& v)
 class Error_piles
 {
 public:
-  explicit Error_piles(double rms_curvature)
-    : rms(rms_curvature)
-  {}
+  explicit Error_piles(double rms_curvature) : rms(rms_curvature) {}
 
   void add(const Estimate& estimate, const Estimate& reference)
   {

@@ -34,8 +34,8 @@ struct Errors
   std::size_t wild = 0;     // with an error of H of more than ten times the RMS curvature
 };
 
-// Principal directions count where the reference's curvatures differ by more than this share of the RMS curvature: near an
-// umbilic there is no right answer.
+// Principal directions count where the reference's curvatures differ by more than this share of the RMS curvature: near
+// an umbilic there is no right answer.
 constexpr double umbilic_difference = 0.1;
 
 constexpr double wild_error = 10;
@@ -53,7 +53,8 @@ constexpr std::array<double, 6> border_bins = {0.1, 0.25, 0.5, 0.75, 1, 2};
 std::vector<Errors> compare_by_border_distance(const std::vector<Estimate>& estimates, const Surface& surface,
                                                double radius);
 
-// root mean square of the principal curvatures, the highest and the lowest hundredth left out: scale for data without truth
+// root mean square of the principal curvatures, the highest and the lowest hundredth left out: scale for data without
+// truth
 double robust_rms_curvature(const std::vector<Estimate>& estimates);
 
 } // namespace benchmark

@@ -2,7 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// CGAL 6 would have Mesh_3 in the place of Surface_mesher, but still has it; CGAL 5.5's Mesh_3 has no surfaces without volume.
+// CGAL 6 would have Mesh_3 in the place of Surface_mesher, but still has it; CGAL 5.5's Mesh_3 has no surfaces without
+// volume.
 #define CGAL_NO_DEPRECATION_WARNINGS
 
 #include "mesh_implicit.h"
@@ -37,8 +38,8 @@ Mesh mesh_with_circumradius(const std::function<double(const Point&)>& function,
   Triangulation triangulation;
   CGAL::Complex_2_in_triangulation_3<Triangulation> complex(triangulation);
   const CGAL::Implicit_surface_3<Traits, Function> surface(
-      [&](const Traits::Point_3& p) { return function(Point(p.x(), p.y(), p.z())); },
-      Traits::Sphere_3(CGAL::ORIGIN, squared_bound));
+    [&](const Traits::Point_3& p) { return function(Point(p.x(), p.y(), p.z())); },
+    Traits::Sphere_3(CGAL::ORIGIN, squared_bound));
   const CGAL::Surface_mesh_default_criteria_3<Triangulation> criteria(smallest_angle, circumradius, no_distance_bound);
   CGAL::make_surface_mesh(complex, surface, criteria, CGAL::Manifold_tag());
 

@@ -15,8 +15,8 @@ namespace Spider {
 namespace benchmark {
 
 // The zero set of a function that is negative at the origin, by CGAL's Surface_mesher, within a few percent of the
-// number of vertices. The surface must lie within the ball of radius 1.5. Large meshes are meshed coarsely and refined, so
-// that the time stays linear. Vertices are near the surface, not on it: the caller projects them.
+// number of vertices. The surface must lie within the ball of radius 1.5. Large meshes are meshed coarsely and refined,
+// so that the time stays linear. Vertices are near the surface, not on it: the caller projects them.
 Mesh mesh_implicit(const std::function<double(const Point&)>& function, std::size_t number_of_vertices);
 
 } // namespace benchmark

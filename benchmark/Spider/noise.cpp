@@ -16,8 +16,8 @@ double displacement(const Noise& noise, Random& random)
 {
   // every number is drawn whether needed or not: vertices that are no outliers move alike with and without outliers
   const double outlier = random.uniform(), side = random.uniform();
-  const double moved = noise.distribution == Noise::Distribution::uniform ? random.uniform() - 0.5
-                                                                          : random.gaussian() / std::sqrt(12.);
+  const double moved =
+    noise.distribution == Noise::Distribution::uniform ? random.uniform() - 0.5 : random.gaussian() / std::sqrt(12.);
   if(outlier < noise.outlier_share)
     return side < 0.5 ? -noise.outlier_distance : noise.outlier_distance;
   return noise.amplitude * moved;

@@ -30,7 +30,7 @@ struct Common_options
   void add_to(CLI::App& app)
   {
     app.add_option("--estimators", estimators, "Names or parts of names, by commas; all if none is given")
-        ->delimiter(',');
+      ->delimiter(',');
     app.add_option("--output", output, "Directory for the results as CSV and JSON");
     app.add_flag("--quick", quick, "Few settings: ends within a minute. Options given beside it win");
     app.add_flag("--no-progress", no_progress, "Show no progress bar");

@@ -15,8 +15,8 @@ namespace Spider {
 namespace benchmark {
 
 // The estimators whose names are among `names`; a name that is no estimator's own stands for all that contain it,
-// letters' case aside. All of them for no names. std::invalid_argument, with the names that there are, for one that nothing
-// matches.
+// letters' case aside. All of them for no names. std::invalid_argument, with the names that there are, for one that
+// nothing matches.
 Estimators select_estimators(const std::vector<std::string>& names);
 
 struct Timed_estimates

@@ -11,7 +11,6 @@
 #include <boost/math/constants/constants.hpp>
 
 #include <cmath>
-#include <map>
 #include <stdexcept>
 
 namespace CGAL {
@@ -25,7 +24,17 @@ const double pi = boost::math::constants::pi<double>();
 Eigen::Vector3d to_eigen(const Point& p) { return {p.x(), p.y(), p.z()}; }
 Vector to_vector(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
-// The graph z = f(x, y) over [-1, 1]^2, with upward normals.
+// The axes of a grid over a surface that is `proportion` times as long along its first coordinate as along its second.
+std::pair<Axis, Axis> grid_axes(std::size_t number_of_vertices, double proportion, const Rows& rows, bool first_closed,
+                                bool second_closed)
+{
+  const double count = static_cast<double>(number_of_vertices);
+  const auto first = static_cast<std::size_t>(std::lround(std::sqrt(count * proportion * rows.crowding)));
+  const auto second = static_cast<std::size_t>(std::lround(count / static_cast<double>(first)));
+  return {{first, first_closed}, {second, second_closed}};
+}
+
+// The graph z = f(x, y) over [-1.5, 1.5]^2, with upward normals.
 class Graph : public Shape
 {
 public:
@@ -36,8 +45,7 @@ public:
   };
 
   Graph(std::string name, std::function<Height(double, double)> height)
-    : label(std::move(name))
-    , height(std::move(height))
+    : label(std::move(name)), height(std::move(height))
   {}
 
   std::string name() const override { return label; }
@@ -50,16 +58,17 @@ public:
     return result;
   }
 
-  Mesh tessellate(std::size_t number_of_vertices, const Grading& grading) const override
+  Mesh tessellate(std::size_t number_of_vertices, const Rows& rows) const override
   {
-    const auto side = static_cast<std::size_t>(std::lround(std::sqrt(static_cast<double>(number_of_vertices))));
-    return make_grid({side, false}, {side, false}, [&](double s, double t) {
-      const double x = 2 * grading(s) - 1, y = 2 * t - 1;
+    return make_grid(grid_axes(number_of_vertices, 1, rows, false, false), [&](double s, double t) {
+      const double x = half_width * (2 * rows.position(s) - 1), y = half_width * (2 * t - 1);
       return Point(x, y, height(x, y).f);
     });
   }
 
 private:
+  static constexpr double half_width = 1.5;
+
   std::string label;
   std::function<Height(double, double)> height;
 };
@@ -77,16 +86,12 @@ public:
     return result;
   }
 
-  Mesh tessellate(std::size_t number_of_vertices, const Grading& grading) const override
+  Mesh tessellate(std::size_t number_of_vertices, const Rows& rows) const override
   {
-    // as many rows around as make the cells square: the circumference is pi times the height
-    const auto around = std::lround(std::sqrt(pi * static_cast<double>(number_of_vertices)));
-    const auto along = std::lround(static_cast<double>(number_of_vertices) / static_cast<double>(around));
-    return make_grid({static_cast<std::size_t>(around), true}, {static_cast<std::size_t>(along), false},
-                     [&](double s, double t) {
-                       const double angle = 2 * pi * s;
-                       return Point(std::cos(angle), std::sin(angle), 2 * grading(t) - 1);
-                     });
+    return make_grid(grid_axes(number_of_vertices, pi, rows, true, false), [&](double s, double t) {
+      const double angle = 2 * pi * rows.position(s);
+      return Point(std::cos(angle), std::sin(angle), 2 * t - 1);
+    });
   }
 };
 
@@ -110,18 +115,14 @@ public:
     return result;
   }
 
-  Mesh tessellate(std::size_t number_of_vertices, const Grading& grading) const override
+  Mesh tessellate(std::size_t number_of_vertices, const Rows& rows) const override
   {
     // cells are square half-way between the inner and the outer equator
-    const double count = static_cast<double>(number_of_vertices);
-    const auto around = std::lround(std::sqrt(count * centre_line / tube));
-    const auto along = std::lround(count / static_cast<double>(around));
-    return make_grid({static_cast<std::size_t>(around), true}, {static_cast<std::size_t>(along), true},
-                     [&](double s, double t) {
-                       const double longitude = 2 * pi * grading(s), latitude = 2 * pi * t;
-                       const double rho = centre_line + tube * std::cos(latitude);
-                       return Point(rho * std::cos(longitude), rho * std::sin(longitude), tube * std::sin(latitude));
-                     });
+    return make_grid(grid_axes(number_of_vertices, centre_line / tube, rows, true, true), [&](double s, double t) {
+      const double longitude = 2 * pi * rows.position(s), latitude = 2 * pi * t;
+      const double rho = centre_line + tube * std::cos(latitude);
+      return Point(rho * std::cos(longitude), rho * std::sin(longitude), tube * std::sin(latitude));
+    });
   }
 
 private:
@@ -129,20 +130,20 @@ private:
   static constexpr double tube = 0.4;
 };
 
-// A closed surface that every ray from the origin meets once. Its rows are the circles of latitude.
+// A closed surface that every ray from the origin meets once. Its first coordinate is the colatitude.
 class Star_shape : public Shape
 {
 public:
-  Mesh tessellate(std::size_t number_of_vertices, const Grading& grading) const override
+  Mesh tessellate(std::size_t number_of_vertices, const Rows& rows) const override
   {
     Mesh mesh = base_mesh(number_of_vertices);
     for(auto v : mesh.vertices())
     {
       const Eigen::Vector3d direction = to_eigen(mesh.point(v)).normalized();
-      const double colatitude = pi * grading(std::acos(direction.z()) / pi);
+      const double colatitude = pi * rows.position(std::acos(direction.z()) / pi);
       const double longitude = std::atan2(direction.y(), direction.x());
-      mesh.point(v) = on_ray({std::sin(colatitude) * std::cos(longitude), std::sin(colatitude) * std::sin(longitude),
-                              std::cos(colatitude)});
+      mesh.point(v) = on_ray(
+        {std::sin(colatitude) * std::cos(longitude), std::sin(colatitude) * std::sin(longitude), std::cos(colatitude)});
     }
     return mesh;
   }
@@ -169,8 +170,7 @@ class Ellipsoid : public Star_shape
 {
 public:
   Ellipsoid(std::string name, const Eigen::Vector3d& axes)
-    : label(std::move(name))
-    , inverse_squares(axes.cwiseProduct(axes).cwiseInverse())
+    : label(std::move(name)), inverse_squares(axes.cwiseProduct(axes).cwiseInverse())
   {}
 
   std::string name() const override { return label; }
@@ -225,7 +225,7 @@ Graph::Height monkey_saddle(double x, double y)
 
 Graph::Height waves(double x, double y)
 {
-  constexpr double height = 0.1, frequency = 4;
+  constexpr double height = 0.15, frequency = 4;
   const double sx = std::sin(frequency * x), cx = std::cos(frequency * x);
   const double sy = std::sin(frequency * y), cy = std::cos(frequency * y);
   const double slope = height * frequency, bend = slope * frequency;
@@ -237,14 +237,14 @@ using Shape_makers = std::vector<std::pair<std::string, std::function<Shape_ptr(
 const Shape_makers& shape_makers()
 {
   static const Shape_makers makers = {
-      {"sphere", [] { return std::make_unique<Ellipsoid>("sphere", Eigen::Vector3d(1, 1, 1)); }},
-      {"torus", [] { return std::make_unique<Torus>(); }},
-      {"ellipsoid", [] { return std::make_unique<Ellipsoid>("ellipsoid", Eigen::Vector3d(1, 0.8, 0.6)); }},
-      {"saddle", [] { return std::make_unique<Graph>("saddle", saddle); }},
-      {"waves", [] { return std::make_unique<Graph>("waves", waves); }},
-      {"cylinder", [] { return std::make_unique<Cylinder>(); }},
-      {"monkey_saddle", [] { return std::make_unique<Graph>("monkey_saddle", monkey_saddle); }},
-      {"implicit", [] { return std::make_unique<Bumpy_ball>(); }},
+    {"sphere", [] { return std::make_unique<Ellipsoid>("sphere", Eigen::Vector3d(1, 1, 1)); }},
+    {"torus", [] { return std::make_unique<Torus>(); }},
+    {"ellipsoid", [] { return std::make_unique<Ellipsoid>("ellipsoid", Eigen::Vector3d(1, 0.7, 0.4)); }},
+    {"saddle", [] { return std::make_unique<Graph>("saddle", saddle); }},
+    {"waves", [] { return std::make_unique<Graph>("waves", waves); }},
+    {"cylinder", [] { return std::make_unique<Cylinder>(); }},
+    {"monkey_saddle", [] { return std::make_unique<Graph>("monkey_saddle", monkey_saddle); }},
+    {"implicit", [] { return std::make_unique<Bumpy_ball>(); }},
   };
   return makers;
 }

@@ -7,8 +7,6 @@
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/iterator.h>
 
-#include <boost/math/constants/constants.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -21,8 +19,6 @@ namespace benchmark {
 
 namespace {
 
-const double two_pi = boost::math::constants::two_pi<double>();
-
 double length(const Vector& v) { return std::sqrt(v.squared_length()); }
 
 // Twice the area of a triangle as seen along a unit normal, in units of its longest edge's square: an equilateral one
@@ -30,7 +26,7 @@ double length(const Vector& v) { return std::sqrt(v.squared_length()); }
 double fatness(const Point& p, const Point& q, const Point& r, const Vector& normal)
 {
   const double longest =
-      std::max({CGAL::squared_distance(p, q), CGAL::squared_distance(q, r), CGAL::squared_distance(r, p)});
+    std::max({CGAL::squared_distance(p, q), CGAL::squared_distance(q, r), CGAL::squared_distance(r, p)});
   return CGAL::cross_product(q - p, r - p) * normal / longest;
 }
 
@@ -38,10 +34,7 @@ double fatness(const Point& p, const Point& q, const Point& r, const Vector& nor
 class Flip
 {
 public:
-  Flip(const Mesh& mesh, Mesh::Edge_index edge)
-    : mesh(mesh)
-    , h(mesh.halfedge(edge))
-  {}
+  Flip(const Mesh& mesh, Mesh::Edge_index edge) : mesh(mesh), h(mesh.halfedge(edge)) {}
 
   Mesh::Vertex_index source() const { return mesh.source(h); }
   Mesh::Vertex_index target() const { return mesh.target(h); }
@@ -52,8 +45,8 @@ public:
   bool is_allowed(const std::vector<Vector>& normals) const
   {
     constexpr double thinnest = 0.005;
-    if(mesh.is_border(mesh.edge(h)) || mesh.degree(source()) <= 3 || mesh.degree(target()) <= 3 ||
-       left() == right() || mesh.halfedge(left(), right()) != Mesh::null_halfedge())
+    if(mesh.is_border(mesh.edge(h)) || mesh.degree(source()) <= 3 || mesh.degree(target()) <= 3 || left() == right() ||
+       mesh.halfedge(left(), right()) != Mesh::null_halfedge())
       return false;
     const Point s = mesh.point(source()), t = mesh.point(target()), l = mesh.point(left()), r = mesh.point(right());
     const Vector sum = normals[source()] + normals[target()] + normals[left()] + normals[right()];
@@ -94,65 +87,84 @@ std::vector<Vector> exact_normals(const Mesh& mesh, const Shape& shape)
   return normals;
 }
 
-// whether no face at a vertex would be folded or a sliver, were the vertex at `position`
-bool is_fair_move(const Mesh& mesh, Mesh::Vertex_index v, const Point& position, const Vector& normal)
+// whether no face at a vertex would be folded or thinner than `thinnest`, were the vertex at `position`
+bool is_fair_move(const Mesh& mesh, Mesh::Vertex_index v, const Point& position, const Vector& normal, double thinnest)
 {
-  constexpr double thinnest = 0.1; // about six degrees
   for(auto h : CGAL::halfedges_around_target(v, mesh))
-    if(fatness(mesh.point(mesh.source(h)), position, mesh.point(mesh.target(mesh.next(h))), normal) < thinnest)
+    if(!mesh.is_border(h) &&
+       fatness(mesh.point(mesh.source(h)), position, mesh.point(mesh.target(mesh.next(h))), normal) < thinnest)
       return false;
   return true;
 }
 
-// Moves inner vertices about on the shape, each within a disc of a share of its edges' mean length.
-void scatter(Mesh& mesh, const Shape& shape, std::vector<Vector>& normals, Random& random)
+// Moves inner vertices about on the shape, each up to half-way into one of its faces, unless faces become too thin.
+void scatter(Mesh& mesh, const Shape& shape, std::vector<Vector>& normals, double thinnest, Random& random)
 {
-  constexpr double share = 0.5; // half-way to the neighbours
+  constexpr double farthest = 0.5;
   for(auto v : mesh.vertices())
   {
-    const double distance = share * std::sqrt(random.uniform()), angle = random.uniform(0, two_pi);
-    if(CGAL::is_border(v, mesh))
+    const double which = random.uniform(), first = random.uniform(), second = random.uniform();
+    if(mesh.is_border(v))
       continue;
-    double edges = 0;
-    for(auto h : CGAL::halfedges_around_target(v, mesh))
-      edges += std::sqrt(CGAL::squared_distance(mesh.point(mesh.source(h)), mesh.point(v))) / mesh.degree(v);
-    const Estimate here = shape.truth(mesh.point(v));
-    const Vector step = std::cos(angle) * here.min_direction + std::sin(angle) * here.max_direction;
-    const Point moved = shape.project(mesh.point(v) + distance * edges * step);
-    if(!is_fair_move(mesh, v, moved, normals[v]))
+    auto h = mesh.halfedge(v);
+    for(auto turns = static_cast<int>(which * mesh.degree(v)); turns > 0; --turns)
+      h = mesh.next_around_target(h);
+    const Point here = mesh.point(v);
+    const Vector step =
+      first * (mesh.point(mesh.source(h)) - here) + second * (mesh.point(mesh.target(mesh.next(h))) - here);
+    const Point moved = shape.project(here + farthest * step);
+    if(!is_fair_move(mesh, v, moved, normals[v], thinnest))
       continue;
     mesh.point(v) = moved;
     normals[v] = shape.truth(moved).normal;
   }
 }
 
+Mesh regular(const Shape& shape, std::size_t number_of_vertices)
+{
+  return shape.tessellate(number_of_vertices, {[](double t) { return t; }});
+}
+
 Mesh irregular(const Shape& shape, std::size_t number_of_vertices, Random& random)
 {
-  constexpr int rounds = 4; // after which valences no longer change in distribution
-  Mesh mesh = shape.tessellate(number_of_vertices, even_rows);
+  constexpr int rounds = 4;        // after which valences no longer change in distribution
+  constexpr double thinnest = 0.1; // about six degrees
+  Mesh mesh = regular(shape, number_of_vertices);
   std::vector<Vector> normals = exact_normals(mesh, shape);
   for(int round = 0; round < rounds; ++round)
   {
-    scatter(mesh, shape, normals, random);
+    scatter(mesh, shape, normals, thinnest, random);
     flip_to_Delaunay(mesh, normals);
   }
   return mesh;
 }
 
-// Rows whose spacing varies 20-fold, smoothly and in closed form: the integral of the Poisson kernel. The rows are
-// dense in the middle and sparse at both ends, where the spacing matches, so that a closed coordinate has no seam.
-double graded_rows(double t)
+// Rows at random distances that vary 20-fold from one to the next, evenly on a logarithmic scale.
+constexpr double spacing_ratio = 20;
+
+std::function<double(double)> uneven_rows(std::size_t count, Random& random)
 {
-  constexpr double ratio = 20;
-  const double root = std::sqrt(ratio), b = (root - 1) / (root + 1);
-  return t + 2 / two_pi * std::atan2(b * std::sin(two_pi * t), 1 - b * std::cos(two_pi * t));
+  std::vector<double> knots = {0};
+  for(std::size_t i = 0; i < count; ++i)
+    knots.push_back(knots.back() + std::pow(spacing_ratio, random.uniform()));
+  return [knots = std::move(knots)](double t) {
+    const double row = t * static_cast<double>(knots.size() - 1);
+    const auto below = std::min(static_cast<std::size_t>(row), knots.size() - 2);
+    return (knots[below] + (row - static_cast<double>(below)) * (knots[below + 1] - knots[below])) / knots.back();
+  };
 }
 
+// Large faces beside small ones, and slivers: the widest rows make square cells, the narrowest cells of 1 to 20.
 Mesh sliver_ridden(const Shape& shape, std::size_t number_of_vertices, Random& random)
 {
   constexpr double flipped_share = 0.1;
-  Mesh mesh = shape.tessellate(number_of_vertices, graded_rows);
-  flip_at_random(mesh, exact_normals(mesh, shape), flipped_share, random);
+  constexpr double thinnest = 0.01;
+  const double crowding = spacing_ratio * std::log(spacing_ratio) / (spacing_ratio - 1); // widest over mean spacing
+  const double rows = std::sqrt(static_cast<double>(number_of_vertices) * crowding);
+  Mesh mesh = shape.tessellate(number_of_vertices, {uneven_rows(static_cast<std::size_t>(rows), random), crowding});
+  std::vector<Vector> normals = exact_normals(mesh, shape);
+  scatter(mesh, shape, normals, thinnest, random);
+  flip_at_random(mesh, normals, flipped_share, random);
   return mesh;
 }
 
@@ -160,9 +172,8 @@ using Names = std::vector<std::pair<std::string, Tessellation>>;
 
 const Names& names()
 {
-  static const Names all = {{"regular", Tessellation::regular},
-                            {"irregular", Tessellation::irregular},
-                            {"slivers", Tessellation::slivers}};
+  static const Names all = {
+    {"regular", Tessellation::regular}, {"irregular", Tessellation::irregular}, {"slivers", Tessellation::slivers}};
   return all;
 }
 
@@ -240,12 +251,9 @@ Mesh tessellate(const Shape& shape, Tessellation tessellation, std::size_t numbe
 {
   switch(tessellation)
   {
-  case Tessellation::irregular:
-    return irregular(shape, number_of_vertices, random);
-  case Tessellation::slivers:
-    return sliver_ridden(shape, number_of_vertices, random);
-  default:
-    return shape.tessellate(number_of_vertices, even_rows);
+    case Tessellation::irregular: return irregular(shape, number_of_vertices, random);
+    case Tessellation::slivers: return sliver_ridden(shape, number_of_vertices, random);
+    default: return regular(shape, number_of_vertices);
   }
 }
 
