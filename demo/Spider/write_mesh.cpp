@@ -52,13 +52,13 @@ void add_estimates(Mesh& mesh, const std::vector<Estimate>& estimates)
   add_property<double>(mesh, "residual", estimates, [](const E& e) { return e.residual; });
 }
 
-// A few sharp corners must not leave the rest of the surface white.
+// Sharp ridges, few as they are, must not leave the rest of the surface white.
 double colour_limit(const std::vector<Estimate>& estimates)
 {
   std::vector<double> magnitudes;
   for(const Estimate& estimate : estimates)
     magnitudes.push_back(std::abs(estimate.mean_curvature()));
-  return quantile(sorted_numbers(std::move(magnitudes)), 0.95);
+  return quantile(sorted_numbers(std::move(magnitudes)), 0.9);
 }
 
 } // namespace
