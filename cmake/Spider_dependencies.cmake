@@ -3,12 +3,13 @@
 # CGAL_DISABLE_GMP and the like stay the user's own choice: nothing is set here that CGAL would ask about.
 set(Spider_missing "")
 
-# The oldest version is compared here, since CGAL's version file takes "5.5" to exclude 6.
+# The oldest version is compared here, since CGAL's version file takes "5.5" to exclude 6. CGAL's unpacked sources have no
+# version file; whoever points at them is taken to know what they are.
 find_package(CGAL QUIET)
 if(NOT CGAL_FOUND)
   set(Spider_missing "Spider needs CGAL 5.5 or later, and there is none (Debian and Ubuntu: libcgal-dev).")
   return()
-elseif(CGAL_VERSION VERSION_LESS 5.5)
+elseif(CGAL_VERSION AND CGAL_VERSION VERSION_LESS 5.5)
   set(Spider_missing "Spider needs CGAL 5.5 or later, and found ${CGAL_VERSION} in ${CGAL_DIR}.")
   return()
 endif()
