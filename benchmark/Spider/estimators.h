@@ -36,8 +36,10 @@ inline Estimators all_estimators()
   all.push_back(std::make_unique<Goldfeather_Interrante_2004>(Goldfeather_Interrante_2004::Neighbourhood::one_ring));
   all.push_back(std::make_unique<Goldfeather_Interrante_2004>(Goldfeather_Interrante_2004::Neighbourhood::ball));
 #ifdef CGAL_SPIDER_HAS_CORRECTED_CURVATURES
-  all.push_back(std::make_unique<Corrected_curvatures>(Corrected_curvatures::Neighbourhood::one_ring));
-  all.push_back(std::make_unique<Corrected_curvatures>(Corrected_curvatures::Neighbourhood::ball));
+  using Corrected = Corrected_curvatures;
+  all.push_back(std::make_unique<Corrected>(Corrected::Neighbourhood::one_ring, Corrected::Normals::own));
+  all.push_back(std::make_unique<Corrected>(Corrected::Neighbourhood::ball, Corrected::Normals::own));
+  all.push_back(std::make_unique<Corrected>(Corrected::Neighbourhood::ball, Corrected::Normals::area));
 #endif
   return all;
 }

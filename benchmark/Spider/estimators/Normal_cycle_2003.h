@@ -15,17 +15,19 @@ namespace Spider {
 namespace benchmark {
 
 // Cohen-Steiner and Morvan, "Restricted Delaunay triangulations and normal cycle", 2003.
-//   the measure               section 3: over a region B, the sum over edges of beta(e) length(e in B) e e', beta(e)
-//                             being the angle between the normals of e's faces, positive where the edge is convex, and
-//                             e the edge's unit direction
-//   the average               section 4: over the ball of radius r around the vertex, divided by the area in it
-//   principal directions      section 3: a convex edge bends the surface across itself, so that the greater curvature
-//   is
-//                             at a right angle to the eigenvector of the greater eigenvalue
+//   the measure               over a region B, the sum over edges of beta(e) length(e in B) e e', beta(e) being the
+//   angle
+//                             between the normals of e's faces, positive where the edge is convex, and e the edge's
+//                             unit direction: the simpler of the paper's two anisotropic measures
+//   the average               B is the ball of radius r around the vertex; divided by the area in it
+//   principal directions      an edge bends the surface across itself, so that the greater curvature is at a right
+//   angle
+//                             to the eigenvector of the greater eigenvalue
 // Of the surface in the ball only the part that is connected to the vertex counts, so that a second sheet does no harm.
 // The paper's normal is the eigenvector of the least eigenvalue, which in a flat ball is none; here the normal is that
-// of the area in the ball (the sum of its area vectors), and the measure is restricted to the plane across it. A border
-// edge has one face, so no angle. Lengths and areas within the ball are exact.
+// of the area in the ball (the sum of its area vectors). H is the paper's own scalar measure, which is the tensor's
+// trace; the difference of the curvatures and the directions are those of the tensor restricted to the plane across
+// that normal. A border edge has one face, so no angle. Lengths and areas within the ball are exact.
 class Normal_cycle_2003 : public Estimator
 {
 public:
@@ -155,8 +157,12 @@ private:
                m_xy * (a.x() * b.y() + a.y() * b.x()) + m_xz * (a.x() * b.z() + a.z() * b.x()) +
                m_yz * (a.y() * b.z() + a.z() * b.y());
       };
-      // turned by a right angle: what the edges along v add is curvature along u
-      const Tangent_tensor turned{form(frame.v, frame.v), -form(frame.u, frame.v), form(frame.u, frame.u)};
+      // turned by a right angle: what the edges along v add is curvature along u. What leans out of the plane belongs
+      // to the mean curvature all the same, whose measure is the sum of beta(e) length(e in B), the whole tensor's
+      // trace.
+      const double out_of_plane = form(frame.normal, frame.normal) / 2;
+      const Tangent_tensor turned{form(frame.v, frame.v) + out_of_plane, -form(frame.u, frame.v),
+                                  form(frame.u, frame.u) + out_of_plane};
       return principal_estimate(frame, turned * (1 / m_area));
     }
 

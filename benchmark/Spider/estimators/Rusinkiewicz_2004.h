@@ -14,12 +14,13 @@ namespace Spider {
 namespace benchmark {
 
 // Rusinkiewicz, "Estimating curvatures and their derivatives on triangle meshes", 2004.
-//   vertex normals            section 2: Max's weights, which the paper recommends
-//   tensor of a face          section 3: II, in the face's plane, that takes each side to the difference of the normals
-//                             at its ends, by least squares over the three sides (six equations, three unknowns)
-//   at a vertex               section 3.1: the vertex's tangent plane rotated onto the face's, so that II is not
-//                             foreshortened, then the average over the faces
-//   weights                   section 3.2: the part of the face that is nearest to the vertex
+//   vertex normals            the weights of Max 1999, which the paper recommends
+//   tensor of a face          II, in the face's plane, that takes each side to the difference of the normals at its
+//   ends,
+//                             by least squares over the three sides (six equations, three unknowns)
+//   at a vertex               the vertex's tangent plane rotated onto the face's, so that II is not foreshortened, then
+//                             the average over the faces
+//   weights                   the part of the face that is nearest to the vertex
 class Rusinkiewicz_2004 : public Estimator
 {
 public:

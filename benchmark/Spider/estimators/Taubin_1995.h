@@ -12,12 +12,12 @@ namespace Spider {
 namespace benchmark {
 
 // Taubin, "Estimating the tensor of curvature of a surface from a polyhedral approximation", 1995.
-//   normal                    section 4: the faces' normals averaged by area
-//   M = sum w k T T'          section 4: T the edge's direction in the tangent plane, k = 2 n.(x_j - x_i) / |x_j -
-//   x_i|^2,
-//                             w the area of the faces at the edge, over the sum of those areas
-//   principal curvatures      section 3: 3 m1 - m2 and 3 m2 - m1 from the eigenvalues m1, m2 of M, since M stands for
-//                             the integral of k T T' over the directions; directions are M's eigenvectors
+//   normal                    the faces' normals averaged by area
+//   M = sum w k T T'          T the edge's direction in the tangent plane, k = 2 n.(x_j - x_i) / |x_j - x_i|^2, w the
+//   area
+//                             of the faces at the edge over the sum of those areas: the paper's discrete form of the
+//                             integral of k T T' over the directions
+//   principal curvatures      3 m1 - m2 and 3 m2 - m1 from the eigenvalues m1, m2 of M; directions are M's eigenvectors
 // The paper finds M's tangent eigenvectors by a Householder reflection and a Givens rotation; here M is built in the
 // tangent plane at once, which is the same. At a border vertex the sum runs over the edges that there are.
 class Taubin_1995 : public Estimator

@@ -80,7 +80,8 @@ TEST(Vertex_normals, SphereWeightsAreExactOnASphere)
   for(Mesh::Vertex_index v : mesh.vertices())
   {
     const auto noise = [&] { return 0.1 * (double(random()) / double(std::mt19937::max()) - 0.5); };
-    const Vector moved = mesh.point(v) - Point(0, 0, 0) + Vector(noise(), noise(), noise());
+    const double dx = noise(), dy = noise(), dz = noise();
+    const Vector moved = mesh.point(v) - Point(0, 0, 0) + Vector(dx, dy, dz);
     mesh.point(v) = Point(0, 0, 0) + normalized(moved);
   }
   const std::vector<Vector> exact = vertex_normals(mesh, Normal_weight::sphere);
@@ -91,7 +92,7 @@ TEST(Vertex_normals, SphereWeightsAreExactOnASphere)
     EXPECT_NEAR(exact[v.idx()] * (mesh.point(v) - Point(0, 0, 0)), 1, 1e-14);
     worst_by_area = (std::max)(worst_by_area, line_angle(by_area[v.idx()], mesh.point(v) - Point(0, 0, 0)));
   }
-  EXPECT_GT(worst_by_area, 0.01); // measured: 0.04
+  EXPECT_GT(worst_by_area, 0.05); // measured: 0.1
 }
 
 TEST(Vertex_normals, AreaWeightsFollowTheArea)

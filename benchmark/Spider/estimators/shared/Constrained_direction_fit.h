@@ -58,7 +58,7 @@ private:
   static void minimise_on_circle(double gap, double b_large, double b_small, double radius, double& large,
                                  double& small)
   {
-    constexpr int most_rounds = 20;     // 3 to 5 are usual
+    constexpr int most_rounds = 100; // 3 to 5 are usual, 40 where b_small is rounding and the circle meets the optimum
     constexpr double precision = 1e-14; // of the length
     double multiplier = (std::max)(std::abs(b_small) / radius, std::abs(b_large) / radius - gap);
     if(!(multiplier > 0))

@@ -16,7 +16,7 @@ namespace benchmark {
 // one-ring estimators take in all.
 enum class Normal_weight
 {
-  // Taubin 1995, section 4: the face's area
+  // Taubin 1995: the face's area
   area,
   // Max 1999, "Weights for computing vertex normals from facet normals": the sine of the corner's angle over the
   // product of the adjacent lengths, exact wherever the vertex and its neighbours lie on a sphere
