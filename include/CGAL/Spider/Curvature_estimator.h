@@ -71,7 +71,7 @@ public:
 
 private:
   Curvature_estimator(const TriangleMesh& tmesh, const Inputs& inputs)
-    : options_(inputs.options), vertices_(CGAL::vertices(tmesh)), faces_(CGAL::faces(tmesh)),
+    : options_(inputs.options), vertices_(vertices(tmesh)), faces_(faces(tmesh)),
       mesh_(tmesh, inputs.view, vertices_, faces_)
   {
     if constexpr(Inputs::has_radius_map())

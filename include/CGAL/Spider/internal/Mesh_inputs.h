@@ -39,7 +39,7 @@ typename View::Scalar mean_edge_length(const View& view, const TriangleMesh& tme
   std::size_t count = 0;
   for(const auto e : edges(tmesh))
   {
-    const auto h = CGAL::halfedge(e, tmesh);
+    const auto h = halfedge(e, tmesh);
     const Vec3<Scalar> d = view.point(view.target(h)) - view.point(view.source(h));
     const Scalar length = std::hypot(d.x(), d.y(), d.z());
     if(std::isfinite(length))
