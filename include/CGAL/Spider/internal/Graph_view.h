@@ -7,6 +7,7 @@
 
 #include <CGAL/Spider/internal/numbers.h>
 
+#include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
 
 #include <boost/graph/graph_traits.hpp>
