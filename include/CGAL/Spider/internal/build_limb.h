@@ -26,6 +26,8 @@ struct Query_point
     : site(site_of(inputs.view, query)),
       radius(interpolate(site, [&](typename Inputs::Vertex v) { return inputs.radius_at(v); }))
   {
+    if constexpr(Inputs::has_radius_map())
+      check_radius(radius);
   }
 
   Site<typename Inputs::View> site;
