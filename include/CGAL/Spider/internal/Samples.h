@@ -30,7 +30,7 @@ template <typename Scalar>
 bool end_is_apart(Scalar length, Scalar step, std::size_t count)
 {
   constexpr Scalar same = Scalar(1e-9); // far above the rounding of a walk's length, far below any step
-  return length - Scalar(count) * step > same * step;
+  return length - Scalar(count) * step > (count == 0 ? Scalar(0) : same * step);
 }
 
 /// A sample of a limb in the plane of its cut, in units of the radius: `y` along the direction, `z` along the normal.
