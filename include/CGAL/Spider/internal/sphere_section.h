@@ -88,9 +88,9 @@ private:
     const Point a = local(forward ? view_.source(h) : view_.target(h));
     const Point b = local(forward ? view_.target(h) : view_.source(h));
     const Point d = b - a;
-    const Scalar dd = d.squaredNorm(), ad = a.dot(d), aa = a.squaredNorm();
-    const bool a_inside = aa < 1, b_inside = b.squaredNorm() < 1;
-    const Scalar discriminant = ad * ad - dd * (aa - 1);
+    const Scalar dd = d.squaredNorm(), ad = a.dot(d);
+    const bool a_inside = a.squaredNorm() < 1, b_inside = b.squaredNorm() < 1;
+    const Scalar discriminant = dd - a.cross(d).squaredNorm(); // (ad)² - (dd) (aa - 1) would cancel out on long edges
     const Scalar root = std::sqrt(std::max(discriminant, Scalar(0)));
     Edge_crossings c;
     const Scalar in = (-ad - root) / dd, out = (-ad + root) / dd;
@@ -148,7 +148,7 @@ private:
         const int j = (i + k) % 3;
         if(!c[j].enters)
           continue;
-        arcs_[edges[i]] = {arc(from, at(edges[j], c[j].in), centre, normal), edges[j]};
+        arcs_[edges[i]] = {arc(from, at(edges[j], c[j].in), centre, normal, i == j), edges[j]};
         break;
       }
     }
@@ -163,14 +163,17 @@ private:
   /// An arc's chord spans at most this angle, so it stays within half a percent of the radius of the sphere.
   static constexpr Scalar greatest_angle() { return Scalar(0.2); }
 
-  Polyline arc(const Point& from, const Point& to, const Point& centre, const Point& normal) const
+  Polyline arc(const Point& from, const Point& to, const Point& centre, const Point& normal, bool to_same_edge) const
   {
     if(!normal.allFinite())
       return {from, to};
     const Point u = from - centre, w = to - centre;
     const Scalar full_turn = 4 * std::acos(Scalar(0));
     Scalar angle = std::atan2(normal.dot(u.cross(w)), u.dot(w));
-    if(angle < 0)
+    // Where the sphere meets the vertex between two edges both ends are there, in whichever order rounding puts them. An
+    // arc that goes all the way round from there would take a corner that is straight but for this angle.
+    constexpr Scalar same_point = Scalar(1e-6);
+    if(angle < 0 && (to_same_edge || angle < -same_point))
       angle += full_turn;
     return rotate(u, to, centre, normal, angle);
   }
