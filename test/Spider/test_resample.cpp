@@ -68,6 +68,15 @@ TEST(Resample, does_not_double_the_end_of_a_limb_that_is_a_multiple_of_the_step)
   }
 }
 
+TEST(Resample, does_not_double_the_end_where_multiples_of_the_step_miss_it_by_rounding)
+{
+  const Limb limb = limb_through({{0, 0, 0}, {0.5, 0, 0}, {1, 0, 0}});
+  ASSERT_LT(49 * (1. / 49), 1);
+  EXPECT_EQ(resample(limb, 1. / 49).size(), 50u);
+  ASSERT_GT(3 * 0.1, 0.3);
+  EXPECT_EQ(resample(limb_through({{0, 0, 0}, {0.3, 0, 0}}), 0.1).size(), 4u);
+}
+
 TEST(Resample, gives_both_ends_of_a_limb_shorter_than_a_step)
 {
   const Limb limb = limb_through({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}});
