@@ -13,6 +13,7 @@
 #include "estimators/Meyer_2003.h"
 #include "estimators/Normal_cycle_2003.h"
 #include "estimators/Rusinkiewicz_2004.h"
+#include "estimators/Spider.h"
 #include "estimators/Taubin_1995.h"
 
 namespace CGAL {
@@ -24,6 +25,7 @@ namespace benchmark {
 inline Estimators all_estimators()
 {
   Estimators all;
+  all.push_back(spider_as_published());
   all.push_back(std::make_unique<Jet_fitting>(2, Jet_fitting::Neighbourhood::rings));
   all.push_back(std::make_unique<Jet_fitting>(2, Jet_fitting::Neighbourhood::ball));
   all.push_back(std::make_unique<Jet_fitting>(4, Jet_fitting::Neighbourhood::rings));

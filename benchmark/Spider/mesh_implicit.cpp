@@ -10,10 +10,16 @@
 #include "grids.h"
 
 #include <CGAL/Complex_2_in_triangulation_3.h>
+#include <CGAL/Delaunay_triangulation_3.h>
+#include <CGAL/Delaunay_triangulation_cell_base_with_circumcenter_3.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/IO/facets_in_complex_2_to_triangle_mesh.h>
 #include <CGAL/Implicit_surface_3.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
-#include <CGAL/Surface_mesh_default_triangulation_3.h>
+#include <CGAL/Random.h>
+#include <CGAL/Robust_circumcenter_traits_3.h>
+#include <CGAL/Surface_mesh_cell_base_3.h>
+#include <CGAL/Surface_mesh_vertex_base_3.h>
 #include <CGAL/make_surface_mesh.h>
 
 #include <algorithm>
@@ -25,11 +31,38 @@ namespace benchmark {
 
 namespace {
 
+// The mesher keeps vertices and cells in ordered sets. Without this their order is that of their addresses, and the
+// mesh a different one in every run; with it CGAL orders them by age.
+template <typename Base>
+class Stamped : public Base
+{
+public:
+  using Base::Base;
+  using Has_timestamp = CGAL::Tag_true;
+
+  template <typename Tds>
+  struct Rebind_TDS
+  {
+    using Other = Stamped<typename Base::template Rebind_TDS<Tds>::Other>;
+  };
+
+  std::size_t time_stamp() const { return stamp; }
+  void set_time_stamp(const std::size_t& value) { stamp = value; }
+
+private:
+  std::size_t stamp = static_cast<std::size_t>(-1); // as CGAL's containers mark what has none yet
+};
+
+// CGAL's Surface_mesh_default_triangulation_3, stamped
+using Traits = CGAL::Robust_circumcenter_traits_3<CGAL::Exact_predicates_inexact_constructions_kernel>;
+using Cell_base =
+  CGAL::Delaunay_triangulation_cell_base_with_circumcenter_3<Traits, CGAL::Surface_mesh_cell_base_3<Traits>>;
+using Triangulation = CGAL::Delaunay_triangulation_3<
+  Traits, CGAL::Triangulation_data_structure_3<Stamped<CGAL::Surface_mesh_vertex_base_3<Traits>>, Stamped<Cell_base>>>;
+
 // the mesher's output with facets of at most the given circumradius
 Mesh mesh_with_circumradius(const std::function<double(const Point&)>& function, double circumradius)
 {
-  using Triangulation = CGAL::Surface_mesh_default_triangulation_3;
-  using Traits = Triangulation::Geom_traits;
   using Function = std::function<Traits::FT(const Traits::Point_3&)>;
 
   constexpr double squared_bound = 1.5 * 1.5;
@@ -41,6 +74,7 @@ Mesh mesh_with_circumradius(const std::function<double(const Point&)>& function,
     [&](const Traits::Point_3& p) { return function(Point(p.x(), p.y(), p.z())); },
     Traits::Sphere_3(CGAL::ORIGIN, squared_bound));
   const CGAL::Surface_mesh_default_criteria_3<Triangulation> criteria(smallest_angle, circumradius, no_distance_bound);
+  CGAL::get_default_random() = CGAL::Random(0); // which the mesher draws from: the same mesh every time
   CGAL::make_surface_mesh(complex, surface, criteria, CGAL::Manifold_tag());
 
   CGAL::Surface_mesh<Traits::Point_3> raw;
