@@ -51,7 +51,8 @@ TEST(Goldfeather_Interrante_2004, IsExactOnACubicGraphWithItsNormals)
   for(double unit : {1., 1000.})
     for(Neighbourhood neighbourhood : {Neighbourhood::one_ring, Neighbourhood::ball})
     {
-      Mesh mesh = make_graph(cells, cubic);
+      Mesh mesh = make_graph(cells, cubic, 0.3); // around a symmetric star the third order would cancel
+      mesh.point(middle_vertex(cells)) = Point(0, 0, 0);
       std::vector<Vector> normals;
       for(Mesh::Vertex_index v : mesh.vertices())
       {
