@@ -21,6 +21,9 @@ namespace benchmark {
 
 namespace {
 
+// the table that holds whole meshes, which are nothing for CSV
+const char* const pictures = "pictures";
+
 // Names hold no quotation marks, so that quotation marks around them suffice; NaN is null in JSON and empty in CSV.
 std::string csv_cell(const Row& value) { return value.is_null() ? std::string() : value.dump(); }
 
@@ -88,9 +91,11 @@ void Results::write(const std::string& directory) const
 {
   const std::filesystem::path path(directory);
   std::filesystem::create_directories(path);
-  open(path / (program + ".json")) << content.dump(1) << '\n';
+  open(path / (program + ".json")) << content.dump() << '\n';
   for(const auto& table : content["tables"].items())
   {
+    if(table.key() == pictures)
+      continue;
     std::ofstream file = open(path / (program + "_" + table.key() + ".csv"));
     write_csv(file, table.value());
   }

@@ -31,7 +31,8 @@ public:
 
   void add(const std::string& table, Row row);
 
-  // writes <directory>/<program>.json, and a <program>_<table>.csv for each table; std::runtime_error if it can't
+  // writes <directory>/<program>.json, and a <program>_<table>.csv for each table but "pictures"; std::runtime_error if
+  // it can't
   void write(const std::string& directory) const;
 
 private:

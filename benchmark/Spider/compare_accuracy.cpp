@@ -6,11 +6,12 @@
 
 #include "Averages.h"
 #include "Results.h"
-#include "Surface.h"
 #include "options.h"
 #include "registry.h"
+#include "stability.h"
 
 #include <algorithm>
+#include <cmath>
 
 using namespace CGAL::Spider::benchmark;
 
@@ -26,29 +27,27 @@ struct Options : Common_options
   std::size_t seeds = 1;
   bool gaussian = false;
   double outliers = 0;
+  bool stability = false;
+  bool pictures = false;
 };
 
 void read_options(CLI::App& app, Options& o)
 {
   o.add_to(app);
-  app
-    .add_option("--shapes", o.shapes,
-                "Of sphere, torus, ellipsoid, saddle, waves, cylinder, monkey_saddle, implicit; or all")
-    ->delimiter(',')
-    ->capture_default_str();
-  app.add_option("--tessellations", o.tessellations, "Of regular, irregular, slivers")
-    ->delimiter(',')
-    ->capture_default_str();
-  app.add_option("--noise", o.noise, "Amplitudes in mean edge lengths; 1 is the paper's")
-    ->delimiter(',')
-    ->capture_default_str();
-  app.add_option("--radii", o.radii, "Radii in mean edge lengths")->delimiter(',')->capture_default_str();
+  add_list(app, "--shapes", o.shapes,
+           "Of sphere, torus, ellipsoid, saddle, waves, cylinder, monkey_saddle, implicit; or all");
+  add_list(app, "--tessellations", o.tessellations, "Of regular, irregular, slivers");
+  add_list(app, "--noise", o.noise, "Amplitudes in mean edge lengths; 1 is the paper's");
+  add_list(app, "--radii", o.radii, "Radii in mean edge lengths");
   app.add_option("--vertices", o.vertices, "About as many per mesh")->capture_default_str();
   app.add_option("--seeds", o.seeds, "How many meshes of each kind, which differ in what is random")
     ->capture_default_str();
   app.add_flag("--gaussian", o.gaussian, "Gaussian noise of the same standard deviation instead of uniform noise");
   app.add_option("--outliers", o.outliers, "Share of vertices that are moved by three mean edge lengths")
     ->capture_default_str();
+  app.add_flag("--stability", o.stability,
+               "Also how much answers change at the last radius where the noisiest surfaces are cut otherwise");
+  app.add_flag("--pictures", o.pictures, "Also write the noisiest surfaces with H at the last radius, for the report");
 }
 
 // what --quick sets where nothing else was asked for
@@ -61,7 +60,7 @@ void be_quick(const CLI::App& app, Options& o)
   set("--shapes", o.shapes, std::vector<std::string>{"torus", "saddle"});
   set("--noise", o.noise, std::vector<double>{0, 1});
   set("--radii", o.radii, std::vector<double>{2, 4});
-  set("--vertices", o.vertices, std::size_t(2500));
+  set("--vertices", o.vertices, std::size_t(800));
 }
 
 class Comparison
@@ -81,16 +80,7 @@ public:
       for(const auto& tessellation : options.tessellations)
         for(std::size_t seed = 1; seed <= options.seeds; ++seed)
           for(const double noise : options.noise)
-          {
-            const Recipe recipe = make_recipe(shape, tessellation, noise, seed);
-            const Surface surface = make_surface(recipe);
-            for(const auto& estimator : estimators)
-              for(const double radius : radii_of(*estimator))
-              {
-                measure(*estimator, radius, recipe, tessellation, surface);
-                progress.step();
-              }
-          }
+            compare_on(make_recipe(shape, tessellation, noise, seed), tessellation, progress);
   }
 
   void report() const
@@ -101,6 +91,8 @@ public:
   }
 
 private:
+  using Triangulations = std::vector<std::pair<std::string, Mesh>>;
+
   static std::vector<std::string> names(const Estimators& estimators)
   {
     std::vector<std::string> result;
@@ -139,31 +131,104 @@ private:
     return recipe;
   }
 
-  void measure(const Estimator& estimator, double radius, const Recipe& recipe, const std::string& tessellation,
-               const Surface& surface)
+  // Surfaces of the first seed with the most noise stand for the others where looking at all would take long.
+  bool is_showpiece(const Recipe& recipe) const
+  {
+    return recipe.seed == 1 && recipe.noise.amplitude == *std::max_element(options.noise.begin(), options.noise.end());
+  }
+
+  void compare_on(const Recipe& recipe, const std::string& tessellation, Progress& progress)
+  {
+    const Surface surface = make_surface(recipe);
+    Triangulations others;
+    if(options.stability && is_showpiece(recipe))
+      others = other_triangulations(surface.mesh);
+    Row picture = picture_of(recipe, tessellation, surface);
+    for(const auto& estimator : estimators)
+      for(const double radius : radii_of(*estimator))
+      {
+        const Row setting = setting_of(*estimator, radius, recipe, tessellation, surface);
+        const auto estimates = measure(*estimator, radius, setting, surface);
+        if(radius == radii_of(*estimator).back())
+          for(const auto& other : others)
+            add_change(*estimator, radius, setting, surface, estimates, other);
+        picture["fields"][estimator->name()] = mean_curvatures(estimates); // the last radius stays
+        progress.step();
+      }
+    if(options.pictures && is_showpiece(recipe))
+      results.add("pictures", std::move(picture));
+  }
+
+  Row setting_of(const Estimator& estimator, double radius, const Recipe& recipe, const std::string& tessellation,
+                 const Surface& surface) const
+  {
+    return {{"estimator", estimator.name()},
+            {"shape", recipe.shape},
+            {"tessellation", tessellation},
+            {"mesh_vertices", surface.mesh.number_of_vertices()},
+            {"noise", recipe.noise.amplitude},
+            {"distribution", options.gaussian ? "gaussian" : "uniform"},
+            {"outliers", recipe.noise.outlier_share},
+            {"seed", recipe.seed},
+            {"radius", estimator.uses_radius() ? radius : 0}};
+  }
+
+  std::vector<Estimate> measure(const Estimator& estimator, double radius, const Row& setting, const Surface& surface)
   {
     const double length = radius * surface.mean_edge_length;
     const Timed_estimates timed = CGAL::Spider::benchmark::run(estimator, surface.mesh, length);
-    const double microseconds = 1e6 * timed.seconds / surface.mesh.number_of_vertices();
+    const double microseconds = 1e6 * timed.seconds / static_cast<double>(surface.mesh.number_of_vertices());
     const Errors errors =
       compare(timed.estimates, surface.truth, interior_vertices(surface, length), surface.rms_curvature);
 
-    const double shown_radius = estimator.uses_radius() ? radius : 0;
-    averages.add(recipe.noise.amplitude, shown_radius, estimator.name(), tessellation, errors, microseconds);
-    const Row setting = {{"estimator", estimator.name()},
-                         {"shape", recipe.shape},
-                         {"tessellation", tessellation},
-                         {"mesh_vertices", surface.mesh.number_of_vertices()},
-                         {"noise", recipe.noise.amplitude},
-                         {"distribution", options.gaussian ? "gaussian" : "uniform"},
-                         {"outliers", recipe.noise.outlier_share},
-                         {"seed", recipe.seed},
-                         {"radius", shown_radius}};
+    averages.add(setting["noise"], setting["radius"], estimator.name(), setting["tessellation"], errors, microseconds);
     Row row = setting;
     append(row, errors);
     row["microseconds"] = microseconds;
     results.add("errors", std::move(row));
     add_border_rows(setting, compare_by_border_distance(timed.estimates, surface, length));
+    return timed.estimates;
+  }
+
+  void add_change(const Estimator& estimator, double radius, Row row, const Surface& surface,
+                  const std::vector<Estimate>& estimates, const Triangulations::value_type& other)
+  {
+    const double length = radius * surface.mean_edge_length;
+    const auto there = CGAL::Spider::benchmark::run(estimator, other.second, length).estimates;
+    const Errors change = compare(transfer(other.second, there, surface.mesh), estimates,
+                                  interior_vertices(surface, length), surface.rms_curvature);
+    row["change"] = other.first;
+    append(row, change);
+    results.add("stability", std::move(row));
+  }
+
+  static Row mean_curvatures(const std::vector<Estimate>& estimates)
+  {
+    Row field = Row::array();
+    for(const Estimate& e : estimates)
+      field.push_back(std::isfinite(e.mean_curvature()) ? Row(e.mean_curvature()) : Row(nullptr));
+    return field;
+  }
+
+  Row picture_of(const Recipe& recipe, const std::string& tessellation, const Surface& surface) const
+  {
+    Row points = Row::array(), faces = Row::array();
+    for(const Point& p : surface.mesh.points())
+      points.push_back({p.x(), p.y(), p.z()});
+    for(auto face : surface.mesh.faces())
+    {
+      Row corners = Row::array();
+      for(auto v : surface.mesh.vertices_around_face(surface.mesh.halfedge(face)))
+        corners.push_back(v.idx());
+      faces.push_back(std::move(corners));
+    }
+    return {{"shape", recipe.shape},
+            {"tessellation", tessellation},
+            {"noise", recipe.noise.amplitude},
+            {"radius", options.radii.back()},
+            {"points", std::move(points)},
+            {"faces", std::move(faces)},
+            {"fields", {{"truth", mean_curvatures(surface.truth)}}}};
   }
 
   void add_border_rows(const Row& setting, const std::vector<Errors>& bins)

@@ -19,6 +19,14 @@ namespace CGAL {
 namespace Spider {
 namespace benchmark {
 
+// An option that takes a list by commas, one word: what follows it is not its own.
+template <typename Value>
+CLI::Option* add_list(CLI::App& app, const std::string& name, std::vector<Value>& values,
+                      const std::string& description)
+{
+  return app.add_option(name, values, description)->delimiter(',')->allow_extra_args(false)->capture_default_str();
+}
+
 // The options that all programs share.
 struct Common_options
 {
@@ -29,8 +37,7 @@ struct Common_options
 
   void add_to(CLI::App& app)
   {
-    app.add_option("--estimators", estimators, "Names or parts of names, by commas; all if none is given")
-      ->delimiter(',');
+    add_list(app, "--estimators", estimators, "Names or parts of names, by commas; all if none is given");
     app.add_option("--output", output, "Directory for the results as CSV and JSON");
     app.add_flag("--quick", quick, "Few settings: ends within a minute. Options given beside it win");
     app.add_flag("--no-progress", no_progress, "Show no progress bar");
