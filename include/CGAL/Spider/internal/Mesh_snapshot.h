@@ -34,6 +34,7 @@ public:
   std::size_t size() const { return sorted_.size(); }
   Descriptor operator[](std::size_t rank) const { return sorted_[rank]; }
 
+  /// returns the rank, or `size()` for what isn't of the mesh.
   std::size_t operator()(Descriptor d) const
   {
     if constexpr(std::is_convertible<Descriptor, std::size_t>::value)
@@ -42,7 +43,8 @@ public:
       if(i < sorted_.size() && sorted_[i] == d)
         return i;
     }
-    return std::lower_bound(sorted_.begin(), sorted_.end(), d) - sorted_.begin();
+    const auto found = std::lower_bound(sorted_.begin(), sorted_.end(), d);
+    return found != sorted_.end() && *found == d ? static_cast<std::size_t>(found - sorted_.begin()) : sorted_.size();
   }
 
 private:
