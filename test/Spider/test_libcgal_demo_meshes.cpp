@@ -53,7 +53,7 @@ TEST(libcgal_demo_meshes, get_sound_answers)
     ++number_read;
     for_each_setting(4 * meshes::mean_edge_length(mesh), [&mesh = mesh, &number_asked, &number_valid](const auto& np) {
       const Spider::Curvature_estimator<Mesh, std::decay_t<decltype(np)>> estimator(mesh, np);
-      constexpr Mesh::size_type most_queries = 60;
+      constexpr Mesh::size_type most_queries = 25;
       const Mesh::size_type stride = mesh.number_of_vertices() / most_queries + 1;
       for(Mesh::size_type v = 0; v < mesh.number_of_vertices(); v += stride)
       {

@@ -1,0 +1,197 @@
+// Copyright (c) 2026 The Spider developers.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The promise: any model of FaceGraph and any kernel give the same answers. Written as a user would who has only read
+// the reference.
+
+#include "estimation.h"
+
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/locate.h>
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Spider.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <boost/property_map/property_map.hpp>
+#include <gtest/gtest.h>
+
+#include <iterator>
+#include <map>
+#include <type_traits>
+
+namespace {
+
+namespace Spider = CGAL::Spider;
+namespace PMP = CGAL::Polygon_mesh_processing;
+namespace params = CGAL::Spider::parameters;
+
+using Plain = CGAL::Simple_cartesian<double>;
+using Narrow = CGAL::Simple_cartesian<float>;
+using Inexact = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Exact = CGAL::Exact_predicates_exact_constructions_kernel;
+using Reference_mesh = CGAL::Surface_mesh<Plain::Point_3>;
+
+/// returns an irregular ellipsoid, whose coordinates every kernel represents: they are floats.
+template <typename Mesh>
+Mesh make_mesh()
+{
+  const Reference_mesh mesh =
+    meshes::moved(meshes::jittered(meshes::icosphere<Reference_mesh>(2), 0.02, 1), [](const meshes::Vector& p) {
+      const Eigen::Vector3f rounded = meshes::Vector(2 * p.x(), 1.5 * p.y(), p.z()).cast<float>();
+      return meshes::Vector(rounded.cast<double>());
+    });
+  const estimation::Soup soup = estimation::soup_of(mesh);
+  return meshes::from_soup<Mesh>(soup.points, soup.triangles);
+}
+
+constexpr double radius = 0.75;
+
+/// what the tests compare, in double: principal curvatures, status and normal of every vertex, in their order
+struct Answer
+{
+  double min, max;
+  Spider::Estimate_status status;
+  meshes::Vector normal;
+};
+
+template <typename Mesh, typename NamedParameters>
+std::vector<Answer> answers(const Mesh& mesh, const NamedParameters& np)
+{
+  using Vertex = typename boost::graph_traits<Mesh>::vertex_descriptor;
+  using FT = typename CGAL::Kernel_traits<meshes::Point_of<Mesh>>::Kernel::FT;
+  using Results = std::conditional_t<std::is_floating_point<FT>::value,
+                                     typename CGAL::Kernel_traits<meshes::Point_of<Mesh>>::Kernel, Plain>;
+  using Estimate = Spider::Curvature_estimate_3<Results>;
+  std::map<Vertex, Estimate> curvature;
+  Spider::estimate_vertex_curvatures<CGAL::Parallel_if_available_tag>(mesh, boost::make_assoc_property_map(curvature),
+                                                                      np);
+  std::vector<Answer> result;
+  for(Vertex v : vertices(mesh))
+  {
+    const Estimate& e = curvature[v];
+    result.push_back({e.min_curvature, e.max_curvature, e.status, meshes::vector(e.normal)});
+  }
+  return result;
+}
+
+void expect_same(const std::vector<Answer>& got, const std::vector<Answer>& expected, double tolerance)
+{
+  ASSERT_EQ(got.size(), expected.size());
+  for(std::size_t i = 0; i < got.size(); ++i)
+  {
+    EXPECT_EQ(got[i].status, Spider::ok);
+    EXPECT_NEAR(got[i].min, expected[i].min, tolerance * std::abs(expected[i].max)) << i;
+    EXPECT_NEAR(got[i].max, expected[i].max, tolerance * std::abs(expected[i].max)) << i;
+    EXPECT_LE((got[i].normal - expected[i].normal).norm(), tolerance) << i;
+  }
+}
+
+template <typename Mesh>
+class Kernels_and_meshes : public testing::Test
+{};
+
+using Meshes = testing::Types<CGAL::Surface_mesh<Plain::Point_3>, CGAL::Surface_mesh<Narrow::Point_3>,
+                              CGAL::Surface_mesh<Inexact::Point_3>, CGAL::Surface_mesh<Exact::Point_3>,
+                              CGAL::Polyhedron_3<Plain>, CGAL::Polyhedron_3<Inexact>, CGAL::Polyhedron_3<Exact>>;
+TYPED_TEST_SUITE(Kernels_and_meshes, Meshes);
+
+} // namespace
+
+TYPED_TEST(Kernels_and_meshes, answers_are_the_same)
+{
+  using Kernel = typename CGAL::Kernel_traits<meshes::Point_of<TypeParam>>::Kernel;
+  // Computation is in double everywhere, so only the results' own rounding tells kernels apart. Vertices of a
+  // Polyhedron_3 are in the order of their addresses, which decides where a spider's first limb is: its answers vary by
+  // what lies between two directions, measured to be 0.01.
+  constexpr bool is_polyhedron = !std::is_same<TypeParam, CGAL::Surface_mesh<meshes::Point_of<TypeParam>>>::value;
+  const double tolerance = is_polyhedron ? 0.02 : std::is_same<Kernel, Narrow>::value ? 1e-6 : 1e-12;
+  const auto reference = make_mesh<Reference_mesh>();
+  const auto mesh = make_mesh<TypeParam>();
+  expect_same(answers(mesh, params::geodesic_radius(radius)), answers(reference, params::geodesic_radius(radius)),
+              tolerance);
+  expect_same(answers(mesh, params::as_published().geodesic_radius(radius)),
+              answers(reference, params::as_published().geodesic_radius(radius)), tolerance);
+}
+
+TYPED_TEST(Kernels_and_meshes, every_function_of_the_reference_can_be_called)
+{
+  using Kernel = typename CGAL::Kernel_traits<meshes::Point_of<TypeParam>>::Kernel;
+  using Results = std::conditional_t<std::is_floating_point<typename Kernel::FT>::value, Kernel, Plain>;
+  using Vector_3 = typename Results::Vector_3;
+  const TypeParam mesh = make_mesh<TypeParam>();
+  const auto np = params::geodesic_radius(radius).number_of_directions(16);
+  const auto v = *vertices(mesh).begin();
+  const auto location =
+    PMP::locate_vertex<typename Kernel::FT>(v, *CGAL::faces_around_target(halfedge(v, mesh), mesh).begin(), mesh);
+
+  const Vector_3 normal = Spider::estimate_normal(v, mesh, np);
+  EXPECT_LE((meshes::vector(Spider::estimate_normal(location, mesh, np)) - meshes::vector(normal)).norm(), 1e-6);
+  const Vector_3 direction = CGAL::cross_product(normal, Vector_3(1, 2, 3));
+
+  const Spider::Limb_3<TypeParam> limb = Spider::trace_limb(v, normal, direction, mesh, np);
+  EXPECT_EQ(limb.end, Spider::radius_reached);
+  EXPECT_NEAR(limb.length, radius, 1e-6);
+  const std::vector<typename Results::Point_3> points = Spider::resample(limb, limb.length / 10);
+  EXPECT_GE(points.size(), 11u);
+
+  std::vector<Spider::Limb_3<TypeParam>> limbs;
+  Spider::trace_limbs(v, normal, mesh, std::back_inserter(limbs), np);
+  EXPECT_EQ(limbs.size(), 32u);
+  std::vector<typename Results::Point_3> ring;
+  Spider::geodesic_ring(v, normal, mesh, std::back_inserter(ring), np);
+  EXPECT_EQ(ring.size(), 32u);
+  EXPECT_EQ(Spider::trace_sphere_section(v, mesh, np).size(), 1u);
+
+  const auto along = Spider::estimate_normal_curvature(v, normal, direction, mesh, np);
+  const Spider::Curvature_estimate_3<Results> estimate = Spider::estimate_curvature(v, mesh, np);
+  EXPECT_TRUE(estimate.is_valid());
+  EXPECT_EQ(along.status, Spider::ok);
+  std::vector<Spider::Curvature_estimate_3<Results>> estimates;
+  Spider::estimate_curvatures(vertices(mesh), mesh, std::back_inserter(estimates), np);
+  EXPECT_EQ(estimates.size(), vertices(mesh).size());
+
+  std::map<typename boost::graph_traits<TypeParam>::vertex_descriptor, Vector_3> normals;
+  Spider::estimate_vertex_normals(mesh, boost::make_assoc_property_map(normals), np);
+  EXPECT_LE((meshes::vector(normals[v]) - meshes::vector(normal)).norm(), 1e-6);
+}
+
+namespace {
+
+template <typename Mesh>
+void expect_points_from_users_map()
+{
+  Mesh mesh = make_mesh<Mesh>();
+  const auto np = params::geodesic_radius(radius);
+  const std::vector<Answer> expected = answers(mesh, np);
+
+  using Point = meshes::Point_of<Mesh>;
+  std::map<typename boost::graph_traits<Mesh>::vertex_descriptor, Point> points;
+  for(auto v : vertices(mesh))
+  {
+    points[v] = get(get(CGAL::vertex_point, mesh), v);
+    put(get(CGAL::vertex_point, mesh), v, Point(0, 0, 0)); // now the mesh's own points are of no use
+  }
+  expect_same(answers(mesh, np.vertex_point_map(boost::make_assoc_property_map(points))), expected, 1e-12);
+}
+
+} // namespace
+
+TEST(Points_of_the_user, are_taken_in_place_of_the_meshs_own)
+{
+  expect_points_from_users_map<CGAL::Surface_mesh<Plain::Point_3>>();
+  expect_points_from_users_map<CGAL::Polyhedron_3<Exact>>();
+}
+
+TEST(Program_of_the_reference, is_right)
+{
+  using Mesh = Reference_mesh;
+  Mesh mesh = meshes::icosphere<Mesh>(4, 0.05);
+  auto curvature = mesh.add_property_map<Mesh::Vertex_index, Spider::Curvature_estimate_3<Plain>>("v:curvature").first;
+  Spider::estimate_vertex_curvatures<CGAL::Parallel_if_available_tag>(mesh, curvature,
+                                                                      Spider::parameters::geodesic_radius(0.02));
+  for(auto v : mesh.vertices())
+    EXPECT_NEAR(curvature[v].mean_curvature(), 20, 1);
+}
