@@ -154,7 +154,7 @@ protected:
   // where the ray in the given direction meets the surface: Newton's method along the ray, from outside
   Point on_ray(const Eigen::Vector3d& direction) const
   {
-    constexpr int rounds = 20; // eight suffice on the shapes below
+    constexpr int rounds = 20; // far from the surface they halve the distance, near it they square it
     double length = 1.5;       // all of them fit into that ball
     for(int round = 0; round < rounds; ++round)
     {

@@ -34,7 +34,7 @@ Mesh flipped(Mesh mesh)
 
 Mesh remeshed(Mesh mesh)
 {
-  constexpr unsigned int rounds = 3; // after which lengths hardly change
+  constexpr unsigned int rounds = 3; // as in CGAL's own example of it
   PMP::isotropic_remeshing(mesh.faces(), mean_edge_length(mesh), mesh, CGAL::parameters::number_of_iterations(rounds));
   mesh.collect_garbage();
   return mesh;

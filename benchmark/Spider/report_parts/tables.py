@@ -28,9 +28,12 @@ def cells(numbers, lowest_is_best=True):
     return [{"text": text(number), "best": number is not None and number == best} for number in numbers]
 
 
+AGREEMENT = "distance of H from the others', mean of medians"
+
+
 def table(title, names, columns):
-    """A table from (title, numbers) columns, one number per name."""
-    marked = [cells(numbers) for _, numbers in columns]
+    """A table from (title, numbers) columns, one number per name; no best where agreement is what is counted."""
+    marked = [cells(numbers, column_title != AGREEMENT) for column_title, numbers in columns]
     rows = [{"name": name, "cells": [column[i] for column in marked]} for i, name in enumerate(names)]
     return {"title": title, "columns": [column_title for column_title, _ in columns], "rows": rows}
 
@@ -122,7 +125,7 @@ def scan(found):
         columns = [(f"change of H when {change}, median",
                     [mean(at("stability", estimator=name, change=change), "H_median") for name in names])
                    for change in in_order(row["change"] for row in at("stability"))]
-        columns.append(("distance of H from the others', mean of medians",
+        columns.append((AGREEMENT,
                         [mean(at("agreement", estimator=name), "H_median") for name in names]))
         columns.append(("µs per vertex", [mean(at("time", estimator=name), "microseconds") for name in names]))
         result.append(table(f"{mesh}, radius {radius:g} mean edge lengths", names, columns))

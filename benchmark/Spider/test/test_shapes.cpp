@@ -93,9 +93,9 @@ TEST_P(Shapes, SatisfyGaussAndBonnet)
   if(!CGAL::is_closed(irregular_surface(1000).mesh))
     GTEST_SKIP() << "has a border";
   const double coarse = error(2500), fine = error(10000);
-  // measured: 0.003 (torus) to 0.10 (implicit) at 2500; a quarter is the order, a half the limit
-  EXPECT_LT(coarse, 0.2);
-  EXPECT_LT(fine, coarse / 2);
+  // measured at 2500: 0.03 (sphere) to 0.19 (ellipsoid), and a quarter of that at 10,000
+  EXPECT_LT(coarse, 0.3);
+  EXPECT_LT(fine, coarse / 3);
 }
 
 TEST(Shape, KnowsTheCurvatureOfTheSphere)
