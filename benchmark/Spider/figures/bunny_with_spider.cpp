@@ -109,7 +109,8 @@ void write_picture(const Options& options)
   const double edge = mean_edge_length(mesh);
   auto estimates = mesh.add_property_map<Vertex, Curvature_estimate>("v:curvature").first;
   Spider::estimate_vertex_curvatures<CGAL::Parallel_if_available_tag>(
-    mesh, estimates, Spider::parameters::geodesic_radius(options.estimation_radius * edge));
+    mesh, estimates,
+    Spider::parameters::estimator(Spider::surface_fit).geodesic_radius(options.estimation_radius * edge));
 
   const Vertex vertex = nearest_vertex(mesh, Point(options.near[0], options.near[1], options.near[2]));
   nlohmann::json picture = describe_mesh(mesh, estimates);

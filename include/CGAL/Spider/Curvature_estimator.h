@@ -49,7 +49,7 @@ public:
   /// \throw std::invalid_argument if a parameter is out of its range, or a face isn't a triangle
   explicit Curvature_estimator(const TriangleMesh& tmesh,
                                const NamedParameters& np = CGAL::parameters::default_values())
-    : Curvature_estimator(tmesh, Inputs(tmesh, np))
+    : Curvature_estimator(tmesh, Inputs(tmesh, np, section_fit))
   {
   }
 
@@ -58,8 +58,8 @@ public:
   Estimate operator()(const Query& query) const
   {
     const internal::Site<Snapshot> site = locate(query);
-    internal::Spider_engine<Snapshot> engine(mesh_, options_);
-    return internal::to_result<Result_traits>(engine(site, radius_at(site), first_normal(site)));
+    return internal::to_result<Result_traits>(
+      internal::estimate_at(mesh_, options_, site, radius_at(site), first_normal(site)));
   }
 
   /// returns the normal as `estimate_normal()` does.

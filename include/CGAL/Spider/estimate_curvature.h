@@ -39,12 +39,16 @@ Curvature_estimate_3<GT> to_result(const Estimate<Scalar>& estimate)
 estimates the normal and the principal curvatures at one point. For many points of one mesh
 `estimate_vertex_curvatures()`, `estimate_curvatures()` and `Curvature_estimator` are faster.
 
-The answer is that of the last round: with the normal of the round before, all limbs of the spider are walked and
-resampled, a polynomial is fitted along each direction, the orthogonal pair of directions whose curvatures differ most is
-taken as the principal one, and the average of its two normals is the new normal (paper, 2.2 to 2.4).
+In each round, all limbs of the spider are walked and resampled in the frame of the last normal, and from them come the
+principal curvatures and the next normal:
 
-With the default `first_normal` and a given radius it takes time linear in the number of faces crossed, whatever the size
-of the mesh.
+- `surface_fit` fits one polynomial height field to the samples of all limbs and takes curvatures and
+  normal from its fundamental forms;
+- `section_fit` fits a polynomial along each direction, takes the orthogonal pair of directions whose curvatures differ
+  most as the principal one, and the average of its two normals as the next normal (paper, 2.2 to 2.4).
+
+With `geodesic_radius` and `number_of_directions` given, it takes time linear in the number of faces crossed, whatever the
+size of the mesh.
 
 \tparam TriangleMesh a model of `FaceGraph`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
@@ -62,18 +66,27 @@ of the mesh.
   \cgalParamNEnd
   \cgalParamNBegin{number_of_directions}
     \cgalParamDescription{number of directions, spaced regularly over a half turn, with two limbs each}
-    \cgalParamType{an even integer from 2 to 65536}
-    \cgalParamDefault{64 (paper, 2.6)}
+    \cgalParamType{an integer from 3 to 65536; with `section_fit` an even one from 2}
+    \cgalParamDefault{64 (paper, 2.6); with `surface_fit` 2.5 for each mean edge length of the radius, at least 16}
+    \cgalParamExtra{the default of `surface_fit` takes a pass over all edges}
   \cgalParamNEnd
   \cgalParamNBegin{estimator}
     \cgalParamDescription{how samples become curvatures}
     \cgalParamType{`Spider::Estimator`}
-    \cgalParamDefault{`Spider::section_fit`}
+    \cgalParamDefault{`Spider::section_fit`, the paper's}
+    \cgalParamExtra{`Spider::surface_fit` is new: noise misleads it far less, but at ridges thinner than the radius its
+    normal may wander off}
+  \cgalParamNEnd
+  \cgalParamNBegin{limb_measure}
+    \cgalParamDescription{what is measured along a limb until it reaches the radius}
+    \cgalParamType{`Spider::Limb_measure`}
+    \cgalParamDefault{`Spider::arc_length` (the paper's); with `surface_fit` `Spider::tangential_distance`}
   \cgalParamNEnd
   \cgalParamNBegin{polynomial_degree}
     \cgalParamDescription{degree of the fitted polynomials}
     \cgalParamType{2, 3 or 4}
     \cgalParamDefault{2}
+    \cgalParamExtra{4 is by far the most accurate on smooth meshes without noise, and noise doesn't forgive it}
   \cgalParamNEnd
   \cgalParamNBegin{resampling_step}
     \cgalParamDescription{distance of samples along a limb, as a share of the radius}
@@ -89,7 +102,8 @@ of the mesh.
   \cgalParamNBegin{convergence_angle}
     \cgalParamDescription{the iteration rests when the normal moves by no more than this angle, in radians}
     \cgalParamType{a number}
-    \cgalParamDefault{0.001}
+    \cgalParamDefault{0.001; with `surface_fit` 0.3}
+    \cgalParamExtra{a height field has its normal free, so only a large tilt needs another round}
   \cgalParamNEnd
   \cgalParamNBegin{first_normal}
     \cgalParamDescription{where normals come from that aren't given}
@@ -123,11 +137,10 @@ auto estimate_curvature(const Query& query,
                         const NamedParameters& np = CGAL::parameters::default_values())
 {
   using Inputs = internal::Mesh_inputs<TriangleMesh, NamedParameters>;
-  const Inputs inputs(tmesh, np);
+  const Inputs inputs(tmesh, np, section_fit);
   const internal::Query_point<Inputs> at(inputs, query);
-  internal::Spider_engine<typename Inputs::View> engine(inputs.view, inputs.options);
-  return internal::to_result<typename Inputs::Result_traits>(
-    engine(at.site, at.radius, internal::first_normal_of_query(inputs, at)));
+  return internal::to_result<typename Inputs::Result_traits>(internal::estimate_at(
+    inputs.view, inputs.options, at.site, at.radius, internal::first_normal_of_query(inputs, at)));
 }
 
 } // namespace Spider

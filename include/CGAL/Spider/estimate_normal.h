@@ -83,7 +83,7 @@ auto estimate_normal(const Query& query,
                      const NamedParameters& np = CGAL::parameters::default_values())
 {
   using Inputs = internal::Mesh_inputs<TriangleMesh, NamedParameters>;
-  const Inputs inputs(tmesh, np);
+  const Inputs inputs(tmesh, np, section_fit);
   return internal::from_vec3<typename Inputs::Result_traits::Vector_3>(
     internal::first_normal_of_query(inputs, internal::Query_point<Inputs>(inputs, query)));
 }

@@ -6,10 +6,11 @@
 #define CGAL_SPIDER_ESTIMATE_NORMAL_CURVATURE_H
 
 #include <CGAL/Spider/Curvature_estimate_3.h>
-#include <CGAL/Spider/internal/Spider_engine.h>
+#include <CGAL/Spider/internal/section_fit.h>
 #include <CGAL/Spider/internal/build_limb.h>
 
 #include <cmath>
+#include <vector>
 
 namespace CGAL {
 namespace Spider {
@@ -50,10 +51,10 @@ a polynomial through the query point, its tangent pulled towards the direction, 
     \cgalParamDefault{4 times the mean edge length}
     \cgalParamExtra{larger radii suppress more noise and blur more; the default takes a pass over all edges}
   \cgalParamNEnd
-  \cgalParamNBegin{estimator}
-    \cgalParamDescription{how samples become curvatures}
-    \cgalParamType{`Spider::Estimator`}
-    \cgalParamDefault{`Spider::section_fit`}
+  \cgalParamNBegin{limb_measure}
+    \cgalParamDescription{what is measured along a limb until it reaches the radius}
+    \cgalParamType{`Spider::Limb_measure`}
+    \cgalParamDefault{`Spider::arc_length` (the paper's)}
   \cgalParamNEnd
   \cgalParamNBegin{polynomial_degree}
     \cgalParamDescription{degree of the fitted polynomials}
@@ -96,7 +97,7 @@ auto estimate_normal_curvature(const Query& query,
   using Inputs = internal::Mesh_inputs<TriangleMesh, NamedParameters>;
   using Scalar = typename Inputs::Scalar;
   using FT = typename Inputs::Result_traits::FT;
-  const Inputs inputs(tmesh, np);
+  const Inputs inputs(tmesh, np, section_fit);
   const internal::Query_point<Inputs> at(inputs, query);
   const auto [n, d] = internal::checked_tangent_frame<Scalar>(normal, direction);
 
@@ -106,12 +107,13 @@ auto estimate_normal_curvature(const Query& query,
   result.status = insufficient;
   if(!(at.radius > 0))
     return result;
-  internal::Direction_samples<Scalar> samples;
-  internal::sample_direction(inputs.view, at.site, d, n, at.radius, inputs.options.resampling_step, samples);
-  const internal::Section<Scalar> section = internal::fit_section(samples.samples, inputs.options.polynomial_degree);
+  std::vector<internal::Sample<Scalar>> samples;
+  internal::Spider_extent<Scalar> extent;
+  internal::sample_direction(inputs.view, at.site, d, n, at.radius, inputs.options, samples, extent);
+  const internal::Section<Scalar> section = internal::fit_section(samples, inputs.options.polynomial_degree);
   if(!section.determined)
     return result;
-  result.status = samples.is_complete ? ok : partial;
+  result.status = extent.is_complete ? ok : partial;
   result.curvature = static_cast<FT>(section.curvature / at.radius);
   result.tangent_slope = static_cast<FT>(section.slope);
   result.residual =

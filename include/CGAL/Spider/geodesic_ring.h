@@ -35,6 +35,11 @@ writes the end points of a spider's limbs (paper, 3.1), in angular order, counte
     \cgalParamDefault{4 times the mean edge length}
     \cgalParamExtra{larger radii suppress more noise and blur more; the default takes a pass over all edges}
   \cgalParamNEnd
+  \cgalParamNBegin{limb_measure}
+    \cgalParamDescription{what is measured along a limb until it reaches the radius}
+    \cgalParamType{`Spider::Limb_measure`}
+    \cgalParamDefault{`Spider::arc_length` (the paper's)}
+  \cgalParamNEnd
   \cgalParamNBegin{number_of_directions}
     \cgalParamDescription{number of directions, spaced regularly over a half turn, with two limbs each}
     \cgalParamType{an even integer from 2 to 65536}

@@ -17,6 +17,13 @@ enum Estimator
   section_fit  ///< one polynomial per direction, then the orthogonal pair of greatest difference (paper, 2.2 and 2.3)
 };
 
+/// What is measured along a limb until it reaches the geodesic radius.
+enum Limb_measure
+{
+  arc_length,         ///< the length of the polyline (paper, 2.2)
+  tangential_distance ///< the distance gained along the limb's direction, which noise doesn't lengthen
+};
+
 /// Where the iteration of the normal starts.
 enum First_normal
 {
@@ -30,6 +37,7 @@ enum First_normal
   DO(geodesic_radius)                      \
   DO(number_of_directions)                 \
   DO(estimator)                            \
+  DO(limb_measure)                         \
   DO(polynomial_degree)                    \
   DO(resampling_step)                      \
   DO(convergence_angle)                    \
@@ -95,6 +103,7 @@ inline auto as_published()
 {
   return estimator(section_fit)
     .number_of_directions(64u)
+    .limb_measure(arc_length)
     .polynomial_degree(2u)
     .resampling_step(0.1)
     .first_normal(sphere_section);

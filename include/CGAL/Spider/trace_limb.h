@@ -42,6 +42,11 @@ from `direction`.
     \cgalParamDefault{4 times the mean edge length}
     \cgalParamExtra{larger radii suppress more noise and blur more; the default takes a pass over all edges}
   \cgalParamNEnd
+  \cgalParamNBegin{limb_measure}
+    \cgalParamDescription{what is measured along a limb until it reaches the radius}
+    \cgalParamType{`Spider::Limb_measure`}
+    \cgalParamDefault{`Spider::arc_length` (the paper's)}
+  \cgalParamNEnd
   \cgalParamNBegin{vertex_point_map}
     \cgalParamDescription{the points of the vertices}
     \cgalParamType{a readable property map from vertices to points}
@@ -71,7 +76,7 @@ auto trace_limb(const Query& query,
                 const NamedParameters& np = CGAL::parameters::default_values())
 {
   using Inputs = internal::Mesh_inputs<TriangleMesh, NamedParameters>;
-  const Inputs inputs(tmesh, np);
+  const Inputs inputs(tmesh, np, section_fit);
   const internal::Query_point<Inputs> at(inputs, query);
   const auto [n, d] = internal::checked_tangent_frame<typename Inputs::Scalar>(normal, direction);
   return internal::build_limb<TriangleMesh>(inputs, at, n, d);

@@ -33,6 +33,11 @@ turn, in angular order, counter-clockwise as seen from the tip of `normal`.
     \cgalParamDefault{4 times the mean edge length}
     \cgalParamExtra{larger radii suppress more noise and blur more; the default takes a pass over all edges}
   \cgalParamNEnd
+  \cgalParamNBegin{limb_measure}
+    \cgalParamDescription{what is measured along a limb until it reaches the radius}
+    \cgalParamType{`Spider::Limb_measure`}
+    \cgalParamDefault{`Spider::arc_length` (the paper's)}
+  \cgalParamNEnd
   \cgalParamNBegin{number_of_directions}
     \cgalParamDescription{number of directions, spaced regularly over a half turn, with two limbs each}
     \cgalParamType{an even integer from 2 to 65536}
@@ -68,7 +73,7 @@ OutputIterator trace_limbs(const Query& query,
 {
   using Inputs = internal::Mesh_inputs<TriangleMesh, NamedParameters>;
   using Scalar = typename Inputs::Scalar;
-  const Inputs inputs(tmesh, np);
+  const Inputs inputs(tmesh, np, section_fit);
   const internal::Query_point<Inputs> at(inputs, query);
   const internal::Spider_frame<Scalar> frame(internal::checked_normal<Scalar>(normal), at.site.reference);
   const int count = inputs.options.number_of_directions;

@@ -96,13 +96,17 @@ public:
   static constexpr bool has_given_normals = is_given<decltype(
     parameters::get_parameter(std::declval<const NamedParameters&>(), Spider::internal_np::vertex_normal_map))>;
 
-  Mesh_inputs(const TriangleMesh& tmesh, const NamedParameters& np)
-    : options(read_options<Scalar>(np)),
+  /// `default_estimator` is the one whose defaults hold where no estimator is named.
+  Mesh_inputs(const TriangleMesh& tmesh, const NamedParameters& np, Estimator default_estimator)
+    : options(read_options<Scalar>(np, default_estimator)),
       view(tmesh,
            parameters::choose_parameter(parameters::get_parameter(np, CGAL::internal_np::vertex_point),
                                         get_const_property_map(CGAL::vertex_point, tmesh))),
-      np_(np), radius_(read_radius(tmesh))
+      np_(np)
   {
+    if(!has_radius || options.number_of_directions == 0)
+      options.mean_edge_length = mean_edge_length(view, tmesh);
+    radius_ = read_radius();
   }
 
   /// returns the geodesic radius at a vertex.
@@ -129,11 +133,14 @@ public:
     return is_given<Given> && !is_number<std::decay_t<Given>>;
   }
 
-  const Options<Scalar> options;
-  const View view;
+  Options<Scalar> options;
+  View view;
 
 private:
-  Scalar read_radius(const TriangleMesh& tmesh) const
+  static constexpr bool has_radius = is_given<decltype(
+    parameters::get_parameter(std::declval<const NamedParameters&>(), Spider::internal_np::geodesic_radius))>;
+
+  Scalar read_radius() const
   {
     const auto given = parameters::get_parameter(np_, Spider::internal_np::geodesic_radius);
     if constexpr(has_radius_map())
@@ -147,12 +154,12 @@ private:
     else
     {
       constexpr Scalar default_radius_in_edges = 4;
-      return default_radius_in_edges * mean_edge_length(view, tmesh);
+      return default_radius_in_edges * options.mean_edge_length;
     }
   }
 
-  const NamedParameters np_;
-  const Scalar radius_;
+  NamedParameters np_;
+  Scalar radius_;
 };
 
 /// returns the normal from which a site's spider starts. `normal_at` gives that of a vertex: the caller's own, or the

@@ -7,12 +7,13 @@
 #ifndef CGAL_SPIDER_INTERNAL_OPTIONS_H
 #define CGAL_SPIDER_INTERNAL_OPTIONS_H
 
-#include <CGAL/Spider/internal/section_fit.h>
+#include <CGAL/Spider/internal/Spider_fit.h>
 #include <CGAL/Spider/parameters.h>
 
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
+#include <type_traits>
 
 namespace CGAL {
 namespace Spider {
@@ -39,39 +40,66 @@ void check_radius(Scalar radius)
 template <typename Scalar>
 struct Options
 {
-  Estimator estimator = section_fit;
-  int number_of_directions = 64;               ///< over a half turn (paper, 2.6)
-  int polynomial_degree = 2;                   ///< (paper, 2.6)
-  Scalar resampling_step = Scalar(0.1);        ///< in units of the radius (paper, 2.6)
-  int number_of_iterations = 10;               ///< at most (paper, 2.6)
-  Scalar convergence_angle = Scalar(1e-3);     ///< radians: the iteration rests when the normal moves less
+  Estimator estimator;
+  Limb_measure limb_measure;
+  int number_of_directions;                  ///< over a half turn; 0: as many as the radius asks for
+  int polynomial_degree = 2;                 ///< (paper, 2.6)
+  Scalar resampling_step = Scalar(0.1);      ///< in units of the radius (paper, 2.6)
+  int number_of_iterations = 10;             ///< at most (paper, 2.6)
+  Scalar convergence_angle;                  ///< radians: the iteration rests when the normal moves less
   First_normal first_normal = neighbourhood;
+  Scalar mean_edge_length = nan<Scalar>();   ///< only known where number_of_directions is 0
+
+  explicit Options(Estimator of)
+    : estimator(of), limb_measure(of == section_fit ? arc_length : tangential_distance),
+      number_of_directions(of == section_fit ? 64 : 0), // (paper, 2.6)
+      convergence_angle(of == section_fit ? Scalar(1e-3) : Scalar(0.3))
+  {
+  }
+
+  /// returns how many directions a spider takes: the fewest that keep the error within 5 % of that of very many, since
+  /// the vertices at the rim must still be met.
+  int number_of_directions_at(Scalar radius) const
+  {
+    constexpr int fewest = 16, most = 1 << 10;
+    constexpr Scalar per_edge_length = Scalar(2.5);
+    if(number_of_directions > 0)
+      return number_of_directions;
+    const Scalar wanted = std::ceil(per_edge_length * radius / mean_edge_length);
+    return wanted > fewest ? wanted < most ? static_cast<int>(wanted) : most : fewest;
+  }
 };
 
+/// `default_estimator` is the one whose defaults hold where no estimator is named.
 template <typename Scalar, typename NamedParameters>
-Options<Scalar> read_options(const NamedParameters& np)
+Options<Scalar> read_options(const NamedParameters& np, Estimator default_estimator)
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
   namespace tags = Spider::internal_np;
 
   // Read wide and signed, so that a negative number is told as what it is.
-  const Options<Scalar> defaults;
   const auto whole = [](auto value) { return static_cast<long long>(value); };
   const auto real = [](auto value) { return static_cast<Scalar>(value); };
 
-  Options<Scalar> options;
-  options.estimator = choose_parameter(get_parameter(np, tags::estimator), defaults.estimator);
-  check_parameter(options.estimator == section_fit, "estimator", "surface_fit",
-                  "this version offers Spider::section_fit alone");
+  Options<Scalar> options(choose_parameter(get_parameter(np, tags::estimator), default_estimator));
+  const Options<Scalar> defaults = options;
+  options.limb_measure = choose_parameter(get_parameter(np, tags::limb_measure), defaults.limb_measure);
   options.first_normal = choose_parameter(get_parameter(np, tags::first_normal), defaults.first_normal);
 
-  const long long directions =
-    whole(choose_parameter(get_parameter(np, tags::number_of_directions), defaults.number_of_directions));
-  constexpr long long most_directions = 1 << 16; // closer than a ten-thousandth of a radian they are all the same
-  check_parameter(directions >= 2 && directions <= most_directions && directions % 2 == 0, "number_of_directions",
-                  directions, "give an even number from 2 to 65536, since directions are compared in orthogonal pairs");
-  options.number_of_directions = static_cast<int>(directions);
+  const auto given_directions = get_parameter(np, tags::number_of_directions);
+  if constexpr(!std::is_same<std::decay_t<decltype(given_directions)>, tags::Param_not_found>::value)
+  {
+    const long long directions = whole(given_directions);
+    constexpr long long most = 1 << 16; // closer than a ten-thousandth of a radian they are all the same
+    const bool pairs = options.estimator == section_fit;
+    check_parameter(pairs ? directions >= 2 && directions <= most && directions % 2 == 0
+                          : directions >= 3 && directions <= most,
+                    "number_of_directions", directions,
+                    pairs ? "give an even number from 2 to 65536, since section_fit compares orthogonal pairs"
+                          : "give a number from 3 to 65536");
+    options.number_of_directions = static_cast<int>(directions);
+  }
 
   const long long degree =
     whole(choose_parameter(get_parameter(np, tags::polynomial_degree), defaults.polynomial_degree));

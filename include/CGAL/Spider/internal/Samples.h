@@ -7,18 +7,22 @@
 
 #include <CGAL/Spider/internal/walk_limb.h>
 
+#include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
 namespace Spider {
 namespace internal {
 
-/// calls `sample(share)` for the points at regular arc length on a polyline's segment that covers the arc lengths
-/// (`from`, `to`]; `count` is the number of points taken on the polyline so far.
+constexpr std::size_t any_number = std::numeric_limits<std::size_t>::max();
+
+/// calls `sample(share)` for the points of a segment where the measure, which goes from `from` to `to` along it, reaches a
+/// further multiple of `step`; `count` is the number of multiples reached so far, of at most `most`.
 template <typename Scalar, typename Sample>
-void sample_segment(Scalar from, Scalar to, Scalar step, std::size_t& count, Sample&& sample)
+void sample_segment(Scalar from, Scalar to, Scalar step, std::size_t most, std::size_t& count, Sample&& sample)
 {
-  for(Scalar at = Scalar(count + 1) * step; at <= to; at = Scalar(count + 1) * step)
+  for(Scalar at = Scalar(count + 1) * step; at <= to && count < most; at = Scalar(count + 1) * step)
   {
     sample(to > from ? (at - from) / (to - from) : Scalar(1));
     ++count;
@@ -40,29 +44,35 @@ struct Sample
   Scalar y, z;
 };
 
-/// walks a limb and appends its samples at regular arc length, its end included, the query point not (paper, 2.2).
+/// walks a limb and appends its samples at regular measure, its end included, the query point not (paper, 2.2).
 /// `sign` is -1 for the limb that runs against the direction in whose coordinates the samples are wanted.
 template <typename View>
 Walk_result<View> sample_limb(const View& view,
                               const Site<View>& site,
                               const Cut<typename View::Scalar>& cut,
+                              Limb_measure measure,
                               typename View::Scalar resampling_step,
                               int sign,
                               std::vector<Sample<typename View::Scalar>>& samples)
 {
   using Scalar = typename View::Scalar;
-  Scalar y = 0, z = 0, length = 0;
+  Scalar y = 0, z = 0, reached = 0;
+  Sample<Scalar> end{0, 0}; // where most was reached: a limb may turn back before it ends
   std::size_t count = 0;
-  const Walk_result<View> result = walk_limb(view, site, cut, [&](const Step<View>& step) {
-    sample_segment(length, step.length, resampling_step, count, [&](Scalar share) {
+  const Walk_result<View> result = walk_limb(view, site, cut, measure, [&](const Step<View>& step) {
+    sample_segment(step.from, step.to, resampling_step, any_number, count, [&](Scalar share) {
       samples.push_back({sign * (y + share * (step.y - y)), z + share * (step.z - z)});
     });
     y = step.y;
     z = step.z;
-    length = step.length;
+    if(step.to >= reached)
+    {
+      reached = step.to;
+      end = {sign * y, z};
+    }
   });
-  if(end_is_apart(length, resampling_step, count))
-    samples.push_back({sign * y, z});
+  if(end_is_apart(reached, resampling_step, count))
+    samples.push_back(end);
   return result;
 }
 

@@ -7,9 +7,10 @@
 
 #include <CGAL/Spider/Curvature_estimate_3.h>
 #include <CGAL/Spider/internal/Options.h>
-#include <CGAL/Spider/internal/Samples.h>
+#include <CGAL/Spider/internal/Spider_fit.h>
 #include <CGAL/Spider/internal/Spider_frame.h>
 #include <CGAL/Spider/internal/section_fit.h>
+#include <CGAL/Spider/internal/surface_fit.h>
 
 #include <vector>
 
@@ -28,47 +29,15 @@ struct Estimate
   Scalar residual = nan<Scalar>();
 };
 
-/// The samples of both limbs of a direction, and how far these got.
-template <typename Scalar>
-struct Direction_samples
-{
-  std::vector<Sample<Scalar>> samples;
-  Scalar length = 0;         ///< of both limbs, in units of the radius
-  bool is_complete = false;  ///< both limbs reached the radius
-};
-
-/// walks the two limbs of a direction.
-template <typename View>
-void sample_direction(const View& view,
-                      const Site<View>& site,
-                      const Vec3<typename View::Scalar>& direction,
-                      const Vec3<typename View::Scalar>& normal,
-                      typename View::Scalar radius,
-                      typename View::Scalar resampling_step,
-                      Direction_samples<typename View::Scalar>& out)
-{
-  using Scalar = typename View::Scalar;
-  out.samples.clear();
-  const Walk_result<View> forth =
-    sample_limb(view, site, Cut<Scalar>(site.point, direction, normal, radius), resampling_step, 1, out.samples);
-  const Walk_result<View> back = sample_limb(
-    view, site, Cut<Scalar>(site.point, Vec3<Scalar>(-direction), normal, radius), resampling_step, -1, out.samples);
-  out.length = forth.length + back.length;
-  out.is_complete = forth.end == radius_reached && back.end == radius_reached;
-}
-
-/// The spider at one point after another: limbs, sections, principal pair, and again from the new normal
-/// (paper, 2.2 to 2.4). Keeps its buffers, so every thread has its own.
-template <typename View>
+/// The spider at one point after another: limbs, fit, and again from the new normal (paper, 2.2 to 2.4). Keeps its
+/// buffers, so every thread has its own.
+template <typename View, typename Fit>
 class Spider_engine
 {
   using Scalar = typename View::Scalar;
 
 public:
-  Spider_engine(const View& view, const Options<Scalar>& options)
-    : view_(view), options_(options), sections_(options.number_of_directions)
-  {
-  }
+  Spider_engine(const View& view, const Options<Scalar>& options) : view_(view), options_(options), fit_(options) {}
 
   Estimate<Scalar> operator()(const Site<View>& site, Scalar radius, const Vec3<Scalar>& first_normal)
   {
@@ -95,48 +64,57 @@ public:
   }
 
 private:
-  /// grows a spider; notes its coverage in `estimate`, and whether that is all.
+  /// grows a spider and fits it; notes its coverage and status in `estimate`.
   Spider_fit<Scalar>
   fit_spider(const Site<View>& site, const Spider_frame<Scalar>& frame, Scalar radius, Estimate<Scalar>& estimate)
   {
-    const int count = options_.number_of_directions;
-    Scalar length = 0;
-    bool is_complete = true;
-    for(int i = 0; i < count; ++i)
-    {
-      const Vec3<Scalar> direction = frame.direction(angle_of_direction<Scalar>(i, count));
-      sample_direction(view_, site, direction, frame.normal, radius, options_.resampling_step, samples_);
-      sections_[i] = fit_section(samples_.samples, options_.polynomial_degree);
-      length += samples_.length;
-      is_complete = is_complete && samples_.is_complete;
-    }
-    const Spider_fit<Scalar> fit = fit_principal_pair(sections_);
+    Spider_extent<Scalar> extent;
+    const Spider_fit<Scalar> fit = fit_(view_, site, frame, radius, extent);
     if(fit.determined || estimate.status == insufficient) // a later round that fails leaves the last one's answer
-      estimate.coverage = length / (2 * count);
+      estimate.coverage = extent.reached / (2 * options_.number_of_directions_at(radius));
     if(fit.determined)
-      estimate.status = is_complete ? ok : partial;
+      estimate.status = extent.is_complete ? ok : partial;
     return fit;
   }
 
   static void
   take(const Spider_fit<Scalar>& fit, const Spider_frame<Scalar>& frame, Scalar radius, Estimate<Scalar>& estimate)
   {
+    const auto from_frame = [&](const Vec3<Scalar>& a) -> Vec3<Scalar> {
+      return a.x() * frame.tangent + a.y() * frame.bitangent + a.z() * frame.normal;
+    };
     estimate.min_curvature = fit.min_curvature / radius;
     estimate.max_curvature = fit.max_curvature / radius;
     estimate.residual = fit.residual * radius;
-    estimate.normal =
-      unit<Scalar>(fit.normal.x() * frame.tangent + fit.normal.y() * frame.bitangent + fit.normal.z() * frame.normal);
-    // The pair is orthogonal to the normal that it was found with; it is turned to be so to the new one.
-    const Vec3<Scalar> direction = frame.direction(fit.min_angle);
+    estimate.normal = unit<Scalar>(from_frame(fit.normal));
+    // A pair found orthogonal to the old normal is turned to be so to the new one.
+    const Vec3<Scalar> direction = from_frame(fit.min_direction);
     estimate.min_direction = unit<Scalar>(direction - direction.dot(estimate.normal) * estimate.normal);
     estimate.max_direction = estimate.normal.cross(estimate.min_direction);
   }
 
   const View& view_;
-  Options<Scalar> options_;
-  Direction_samples<Scalar> samples_;
-  std::vector<Section<Scalar>> sections_;
+  const Options<Scalar>& options_;
+  Fit fit_;
 };
+
+/// estimates curvature at a site by the estimator that the options name.
+template <typename View>
+Estimate<typename View::Scalar> estimate_at(const View& view,
+                                            const Options<typename View::Scalar>& options,
+                                            const Site<View>& site,
+                                            typename View::Scalar radius,
+                                            const Vec3<typename View::Scalar>& first_normal)
+{
+  if(options.estimator == section_fit)
+    return Spider_engine<View, Section_fit<View>>(view, options)(site, radius, first_normal);
+  switch(options.polynomial_degree)
+  {
+    case 2: return Spider_engine<View, Surface_fit<View, 2>>(view, options)(site, radius, first_normal);
+    case 3: return Spider_engine<View, Surface_fit<View, 3>>(view, options)(site, radius, first_normal);
+    default: return Spider_engine<View, Surface_fit<View, 4>>(view, options)(site, radius, first_normal);
+  }
+}
 
 } // namespace internal
 } // namespace Spider

@@ -77,23 +77,27 @@ auto build_limb(const Inputs& inputs,
     return limb;
 
   Vec3<Scalar> last = query.site.point;
-  Scalar kept_length = 0;
+  Scalar length = 0, kept_length = 0;
   const Cut<Scalar> cut(query.site.point, direction, normal, query.radius);
-  const Walk_result<View> walk = walk_limb(inputs.view, query.site, cut, [&](const Step<View>& step) {
+  const Walk_result<View> walk = walk_limb(inputs.view, query.site, cut, inputs.options.limb_measure, [&](const Step<View>& step) {
     Vec3<Scalar> crossing = query.site.point;
-    if(step.edge != View::null_halfedge())
+    if(step.exit != nullptr)
     {
-      const Vec3<Scalar> s = inputs.view.point(inputs.view.source(step.edge));
-      crossing = s + step.crossing * (inputs.view.point(inputs.view.target(step.edge)) - s);
+      const Vec3<Scalar> s = inputs.view.point(inputs.view.source(step.exit->edge));
+      crossing = s + step.crossing * (inputs.view.point(inputs.view.target(step.exit->edge)) - s);
     }
-    last += step.share * (crossing - last);
-    if(step.length - kept_length <= same_point && limb.polyline.size() > 1)
+    const Vec3<Scalar> way = step.share * (crossing - last);
+    last += way;
+    length += (way / query.radius).norm();
+    if(length - kept_length <= same_point && limb.polyline.size() > 1)
       limb.polyline.back() = from_vec3<typename Limb::Point_3>(last);
     else
       append(last);
-    kept_length = step.length;
+    kept_length = length;
   });
-  limb.length = static_cast<typename Limb::FT>(walk.length * query.radius);
+  limb.length = walk.end == radius_reached && inputs.options.limb_measure == arc_length
+                  ? static_cast<typename Limb::FT>(query.radius) // what the walk cut it to, but for rounding
+                  : static_cast<typename Limb::FT>(length * query.radius);
   limb.end = walk.end;
   if(walk.edge != View::null_halfedge())
     limb.edge = inputs.view.edge(walk.edge);

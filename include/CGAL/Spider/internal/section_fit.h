@@ -8,10 +8,11 @@
 #ifndef CGAL_SPIDER_INTERNAL_SECTION_FIT_H
 #define CGAL_SPIDER_INTERNAL_SECTION_FIT_H
 
+#include <CGAL/Spider/internal/Options.h>
 #include <CGAL/Spider/internal/Samples.h>
+#include <CGAL/Spider/internal/Spider_fit.h>
 #include <CGAL/Spider/internal/Spider_frame.h>
-
-#include <Eigen/Cholesky>
+#include <CGAL/Spider/internal/least_squares.h>
 
 #include <cmath>
 #include <cstddef>
@@ -21,7 +22,25 @@ namespace CGAL {
 namespace Spider {
 namespace internal {
 
-constexpr int max_polynomial_degree = 4;
+/// walks the two limbs of a direction and collects their samples, in the coordinates of the direction.
+template <typename View>
+void sample_direction(const View& view,
+                      const Site<View>& site,
+                      const Vec3<typename View::Scalar>& direction,
+                      const Vec3<typename View::Scalar>& normal,
+                      typename View::Scalar radius,
+                      const Options<typename View::Scalar>& options,
+                      std::vector<Sample<typename View::Scalar>>& samples,
+                      Spider_extent<typename View::Scalar>& extent)
+{
+  using Scalar = typename View::Scalar;
+  samples.clear();
+  for(int sign : {1, -1})
+  {
+    const Cut<Scalar> cut(site.point, Vec3<Scalar>(Scalar(sign) * direction), normal, radius);
+    extent.add(sample_limb(view, site, cut, options.limb_measure, options.resampling_step, sign, samples));
+  }
+}
 
 /// The section of the surface along one direction, in units of the radius.
 template <typename Scalar>
@@ -39,33 +58,37 @@ struct Section
 template <typename Scalar>
 Section<Scalar> fit_section(const std::vector<Sample<Scalar>>& samples, int degree)
 {
-  using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic, 0, max_polynomial_degree, max_polynomial_degree>;
-  using Vector = Eigen::Matrix<Scalar, Eigen::Dynamic, 1, 0, max_polynomial_degree, 1>;
-
   Section<Scalar> section;
   section.number_of_samples = samples.size();
   if(static_cast<int>(samples.size()) < degree)
     return section;
 
-  Matrix normal_matrix = Matrix::Zero(degree, degree);
-  Vector right_side = Vector::Zero(degree), powers(degree);
+  Small_matrix<Scalar> normal_matrix = Small_matrix<Scalar>::Zero(degree, degree);
+  Small_vector<Scalar> right_side = Small_vector<Scalar>::Zero(degree), powers(degree);
   normal_matrix(0, 0) = 1; // the tangent's equation
   for(const Sample<Scalar>& sample : samples)
   {
     powers[0] = sample.y;
     for(int k = 1; k < degree; ++k)
       powers[k] = powers[k - 1] * sample.y;
-    normal_matrix += powers * powers.transpose();
-    right_side += sample.z * powers;
+    for(int i = 0; i < degree; ++i)
+    {
+      for(int k = 0; k < degree; ++k)
+        normal_matrix(i, k) += powers[i] * powers[k];
+      right_side[i] += sample.z * powers[i];
+    }
   }
 
-  // With a unit diagonal, a pivot is the share of a power that the lower powers don't explain on these samples.
-  const Vector scale = normal_matrix.diagonal().cwiseSqrt().cwiseInverse();
-  const Eigen::LDLT<Matrix> factorization(scale.asDiagonal() * normal_matrix * scale.asDiagonal());
+  const Small_vector<Scalar> scale = normal_matrix.diagonal().cwiseSqrt().cwiseInverse();
+  for(int i = 0; i < degree; ++i)
+    for(int k = 0; k < degree; ++k)
+      normal_matrix(i, k) *= scale[i] * scale[k];
   constexpr Scalar least_pivot = Scalar(1e-10); // below, rounding has eaten half of the digits of a quartic
-  if(!scale.allFinite() || !(factorization.vectorD().minCoeff() > least_pivot))
+  const auto factorization = factorize<Scalar>(normal_matrix, least_pivot);
+  if(!factorization)
     return section;
-  const Vector coefficients = scale.cwiseProduct(factorization.solve(scale.cwiseProduct(right_side)));
+  const Small_vector<Scalar> scaled_right_side = scale.cwiseProduct(right_side);
+  const Small_vector<Scalar> coefficients = scale.cwiseProduct(factorization->solve(scaled_right_side));
   if(!coefficients.allFinite())
     return section;
 
@@ -81,17 +104,6 @@ Section<Scalar> fit_section(const std::vector<Sample<Scalar>>& samples, int degr
   section.curvature = -2 * coefficients[1] / std::pow(1 + section.slope * section.slope, Scalar(1.5));
   return section;
 }
-
-/// What an estimator makes of one spider, in its frame and in units of the radius.
-template <typename Scalar>
-struct Spider_fit
-{
-  bool determined = false;
-  Scalar min_curvature = nan<Scalar>(), max_curvature = nan<Scalar>();
-  Scalar min_angle = nan<Scalar>();  ///< of the direction of `min_curvature`; that of `max_curvature` is a quarter turn on
-  Vec3<Scalar> normal = nan_vec3<Scalar>(); ///< the new normal in the coordinates (tangent, bitangent, normal)
-  Scalar residual = nan<Scalar>();          ///< root mean square
-};
 
 /// returns the normal of a section along a unit tangent: the tangent of the section has the given slope.
 template <typename Scalar>
@@ -120,7 +132,8 @@ Spider_fit<Scalar> fit_principal_pair(const std::vector<Section<Scalar>>& sectio
   const int least = in_order ? principal : principal + quarter, greatest = in_order ? principal + quarter : principal;
   fit.min_curvature = sections[least].curvature;
   fit.max_curvature = sections[greatest].curvature;
-  fit.min_angle = angle_of_direction<Scalar>(least, count);
+  const Scalar angle = angle_of_direction<Scalar>(least, count);
+  fit.min_direction = Vec3<Scalar>(std::cos(angle), std::sin(angle), 0);
 
   // At the tip of a cube three pairs tie. One pair stands for directions up to a spacing away, where by Euler's theorem
   // the difference falls by the cosine of twice that: pairs that near to the greatest share in the normal.
@@ -143,6 +156,39 @@ Spider_fit<Scalar> fit_principal_pair(const std::vector<Section<Scalar>>& sectio
   fit.residual = std::sqrt(squared_residuals / Scalar(number_of_samples));
   return fit;
 }
+
+/// `section_fit`, the estimator as published.
+template <typename View>
+class Section_fit
+{
+  using Scalar = typename View::Scalar;
+
+public:
+  explicit Section_fit(const Options<Scalar>& options) : options_(options) {}
+
+  /// grows a spider and fits it.
+  Spider_fit<Scalar> operator()(const View& view,
+                                const Site<View>& site,
+                                const Spider_frame<Scalar>& frame,
+                                Scalar radius,
+                                Spider_extent<Scalar>& extent)
+  {
+    const int count = options_.number_of_directions_at(radius);
+    sections_.clear();
+    for(int i = 0; i < count; ++i)
+    {
+      const Vec3<Scalar> direction = frame.direction(angle_of_direction<Scalar>(i, count));
+      sample_direction(view, site, direction, frame.normal, radius, options_, samples_, extent);
+      sections_.push_back(fit_section(samples_, options_.polynomial_degree));
+    }
+    return fit_principal_pair(sections_);
+  }
+
+private:
+  const Options<Scalar>& options_;
+  std::vector<Sample<Scalar>> samples_;
+  std::vector<Section<Scalar>> sections_;
+};
 
 } // namespace internal
 } // namespace Spider

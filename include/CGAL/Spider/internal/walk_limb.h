@@ -17,9 +17,12 @@
 #include <CGAL/Spider/Limb_3.h>
 #include <CGAL/Spider/internal/Site.h>
 #include <CGAL/Spider/internal/numbers.h>
+#include <CGAL/Spider/parameters.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace CGAL {
 namespace Spider {
@@ -153,11 +156,13 @@ Exit<View> first_exit(const View& view, const Site<View>& site, const Cut<typena
 template <typename View>
 struct Step
 {
-  typename View::Halfedge edge;     ///< the edge crossed at its end, `null_halfedge()` for the query point
-  typename View::Scalar crossing;   ///< where on that edge
-  typename View::Scalar share;      ///< how much of the way to that crossing is taken: less than 1 at the limb's end
-  typename View::Scalar y, z;       ///< where that leads
-  typename View::Scalar length;     ///< of the limb up to there, in units of the radius
+  using Scalar = typename View::Scalar;
+
+  const Exit<View>* exit;       ///< the edge crossed at its end, none where the section closes at the query point
+  Scalar crossing;              ///< where on that edge
+  Scalar share;                 ///< how much of the way to that crossing is taken: less than 1 at the limb's end
+  Scalar y, z;                  ///< where that leads
+  Scalar from, to;              ///< what the measure says at the segment's ends, in units of the radius
 };
 
 /// How a walk ended, and at which edge if it ended early.
@@ -166,12 +171,57 @@ struct Walk_result
 {
   Limb_end end;
   typename View::Halfedge edge = View::null_halfedge();
-  typename View::Scalar length = 0;
+  typename View::Scalar reached = 0; ///< by the limb's measure, in units of the radius
+};
+
+/// A limb that makes no headway, since it climbs a wall, is given up when it is as many radii long.
+constexpr int longest_limb_in_radii = 4;
+
+/// Follows a limb segment by segment, and cuts it where it reaches the radius by its measure.
+template <typename View>
+class Limb_growth
+{
+  using Scalar = typename View::Scalar;
+
+public:
+  explicit Limb_growth(Limb_measure measure) : measure_(measure) {}
+
+  Scalar reached() const { return reached_; }
+
+  /// takes the segment to (`y`, `z`), calls `visit(step)` and tells how the limb ends with it, if it does.
+  template <typename Visitor>
+  std::optional<Limb_end>
+  take(const Exit<View>* exit, Scalar crossing, Scalar y, Scalar z, Visitor& visit)
+  {
+    const Scalar dy = y - y_, dz = z - z_, step = std::sqrt(dy * dy + dz * dz);
+    if(!std::isfinite(step))
+      return degenerate;
+    const Scalar from = measure_ == arc_length ? reached_ : y_;
+    const Scalar to = measure_ == arc_length ? reached_ + step : y;
+    const bool is_last = to >= 1;
+    const Scalar share = is_last && to > from ? (1 - from) / (to - from) : Scalar(1);
+    y_ += share * dy;
+    z_ += share * dz;
+    length_ += share * step;
+    visit(Step<View>{exit, crossing, share, y_, z_, from, is_last ? Scalar(1) : to});
+    reached_ = is_last ? Scalar(1) : std::max(reached_, to);
+    if(is_last)
+      return radius_reached;
+    return length_ > longest_limb_in_radii ? std::make_optional(slowed) : std::nullopt;
+  }
+
+private:
+  Limb_measure measure_;
+  Scalar y_ = 0, z_ = 0, length_ = 0, reached_ = 0;
 };
 
 /// walks a limb and calls `visit(step)` for every segment of it. Linear in the number of faces crossed.
 template <typename View, typename Visitor>
-Walk_result<View> walk_limb(const View& view, const Site<View>& site, Cut<typename View::Scalar> cut, Visitor&& visit)
+Walk_result<View> walk_limb(const View& view,
+                            const Site<View>& site,
+                            Cut<typename View::Scalar> cut,
+                            Limb_measure measure,
+                            Visitor&& visit)
 {
   using Scalar = typename View::Scalar;
   Exit<View> exit = first_exit(view, site, cut);
@@ -183,38 +233,23 @@ Walk_result<View> walk_limb(const View& view, const Site<View>& site, Cut<typena
   if(!exit.exists())
     return {site.on_border ? border : degenerate};
 
-  const typename View::Halfedge first_edge = exit.edge;
-  Scalar y = 0, z = 0, length = 0;
-
-  // takes the segment to (to_y, to_z), shortened so that the limb isn't longer than the radius
-  const auto reaches_radius = [&](typename View::Halfedge edge, Scalar crossing, Scalar to_y, Scalar to_z, Scalar step) {
-    const bool last = length + step >= 1;
-    const Scalar share = last && step > 0 ? (1 - length) / step : Scalar(1);
-    y += share * (to_y - y);
-    z += share * (to_z - z);
-    length = last ? Scalar(1) : length + step;
-    visit(Step<View>{edge, crossing, share, y, z, length});
-    return last;
-  };
-
+  const typename View::Halfedge first_edge = exit.edge, none = View::null_halfedge();
+  Limb_growth<View> growth(measure);
   while(true)
   {
     const Scalar c = exit.crossing();
-    const Scalar to_y = exit.source.y + c * (exit.target.y - exit.source.y);
-    const Scalar to_z = exit.source.z + c * (exit.target.z - exit.source.z);
-    const Scalar step = std::hypot(to_y - y, to_z - z);
-    if(!std::isfinite(step))
-      return {degenerate, exit.edge, length};
-    if(reaches_radius(exit.edge, c, to_y, to_z, step))
-      return {radius_reached, View::null_halfedge(), length};
+    const Scalar y = exit.source.y + c * (exit.target.y - exit.source.y);
+    const Scalar z = exit.source.z + c * (exit.target.z - exit.source.z);
+    if(const auto end = growth.take(&exit, c, y, z, visit))
+      return {*end, *end == radius_reached ? none : exit.edge, growth.reached()};
 
     const Exit<View> next = next_exit(view, cut, exit);
     if(!next.exists())
-      return {border, exit.edge, length};
+      return {border, exit.edge, growth.reached()};
     if(next.edge == first_edge) // the section is closed, and the query point is where it closes
     {
-      const bool last = reaches_radius(View::null_halfedge(), Scalar(0), Scalar(0), Scalar(0), std::hypot(y, z));
-      return {last ? radius_reached : degenerate, View::null_halfedge(), length};
+      const auto end = growth.take(nullptr, Scalar(0), Scalar(0), Scalar(0), visit);
+      return {end.value_or(degenerate), none, growth.reached()};
     }
     exit = next;
   }

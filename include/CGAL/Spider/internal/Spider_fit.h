@@ -1,0 +1,48 @@
+// Copyright (c) 2026 The Spider developers.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPIDER_INTERNAL_SPIDER_FIT_H
+#define CGAL_SPIDER_INTERNAL_SPIDER_FIT_H
+
+#include <CGAL/Spider/internal/walk_limb.h>
+#include <CGAL/Spider/internal/numbers.h>
+
+namespace CGAL {
+namespace Spider {
+namespace internal {
+
+constexpr int max_polynomial_degree = 4;
+
+/// How far the limbs of a spider got.
+template <typename Scalar>
+struct Spider_extent
+{
+  Scalar reached = 0;      ///< by all limbs together, in units of the radius
+  bool is_complete = true; ///< all limbs reached the radius
+
+  template <typename View>
+  void add(const Walk_result<View>& walk)
+  {
+    reached += walk.reached;
+    is_complete = is_complete && walk.end == radius_reached;
+  }
+};
+
+/// What an estimator makes of one spider, in units of the radius. Vectors are in the coordinates (tangent, bitangent,
+/// normal) of the spider's frame.
+template <typename Scalar>
+struct Spider_fit
+{
+  bool determined = false;
+  Scalar min_curvature = nan<Scalar>(), max_curvature = nan<Scalar>();
+  Vec3<Scalar> min_direction = nan_vec3<Scalar>(); ///< that of `max_curvature` is a quarter turn on
+  Vec3<Scalar> normal = nan_vec3<Scalar>();        ///< from which the next round starts
+  Scalar residual = nan<Scalar>();                 ///< root mean square
+};
+
+} // namespace internal
+} // namespace Spider
+} // namespace CGAL
+
+#endif // CGAL_SPIDER_INTERNAL_SPIDER_FIT_H
