@@ -167,7 +167,7 @@ TEST_P(Every_estimator, IsPositiveOnASphereFromOutsideAndNegativeFromInside)
 {
   // measured: 0.112 for spider_published, whose fit must pass through the vertex, under which the facets sag: that error
   // is 0.34, 0.08 and 0.02 at one, two and four edges, here two, whatever the mesh; the others stay under 0.1
-  constexpr double tolerance = 0.15;
+  const double tolerance = estimator.name() == "spider_published" ? 0.15 : 0.1;
   Mesh mesh = make_sphere(3);
   for(const Estimate& e : estimates(estimator, mesh, 0.3))
     EXPECT_NEAR(e.mean_curvature(), 1, tolerance);
