@@ -9,6 +9,7 @@
 
 #include <CGAL/Spider/estimate_vertex_curvatures.h>
 
+#include <string>
 #include <utility>
 
 namespace CGAL {
@@ -44,14 +45,28 @@ private:
   NamedParameters m_np;
 };
 
+template <typename NamedParameters>
+std::unique_ptr<Estimator> make_spider(std::string name, std::string settings, const NamedParameters& np)
+{
+  return std::make_unique<Spider_estimator<NamedParameters>>(std::move(name), std::move(settings), np);
+}
+
+// surface_fit, all else the library's defaults
+inline std::unique_ptr<Estimator> spider(unsigned int degree)
+{
+  return make_spider(degree == 2 ? "spider" : "spider_d" + std::to_string(degree),
+                     "Spider's surface_fit with the library's defaults: one height field of degree " +
+                       std::to_string(degree) + " for the samples of all limbs of tangential distance r, first normals "
+                       "averaged over a neighbourhood",
+                     parameters::estimator(surface_fit).polynomial_degree(degree));
+}
+
 inline std::unique_ptr<Estimator> spider_as_published()
 {
-  const auto np = parameters::as_published();
-  return std::make_unique<Spider_estimator<std::decay_t<decltype(np)>>>(
-    "spider_published",
-    "Spider's section_fit: 64 directions, quadratics, limbs of arc length r, up to ten rounds, first normals from the "
-    "section with a sphere of radius r: the paper's settings",
-    np);
+  return make_spider("spider_published",
+                     "Spider's section_fit: 64 directions, quadratics, limbs of arc length r, up to ten rounds, first "
+                     "normals from the section with a sphere of radius r: the paper's settings",
+                     parameters::as_published());
 }
 
 } // namespace benchmark
