@@ -6,6 +6,10 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 # what every build of Spider needs
 build_packages=(g++ make cmake libcgal-dev libeigen3-dev libtbb-dev)
 
+# what the comparison harness needs beyond that: to build, and to make the report
+harness_packages=(libcli11-dev libbenchmark-dev nlohmann-json3-dev)
+report_packages=(python3-jinja2 python3-matplotlib python3-numpy python3-vtk9 xvfb xauth)
+
 fail() {
   echo "$(basename "$0"): $*" >&2
   exit 1
@@ -38,6 +42,18 @@ install_packages() {
   as_root env DEBIAN_FRONTEND=noninteractive apt-get install --yes --quiet --no-install-recommends "${missing[@]}"
 }
 
+# install_chromium: one test needs it, and says so where it is skipped. Ubuntu's package is a stub that asks for a snap,
+# which containers cannot have, so it is left alone.
+install_chromium() {
+  local about
+  about=$(apt-cache show chromium 2>/dev/null || true)
+  if [ -z "$about" ] || [[ "${about,,}" == *snap* ]]; then
+    echo "== no package of Chromium: unless there is one already, the test that opens the report in it will be skipped"
+  else
+    install_packages chromium
+  fi
+}
+
 # install_meshes: CGAL's example meshes, and prints the CMake option that says where their archive is. Minimal images tell
 # dpkg to leave documentation out, and the archive counts as such: then it is taken straight from the package.
 install_meshes() {
@@ -66,4 +82,13 @@ build_spider() {
   echo "== building in $directory"
   (cd "$root" && cmake --preset release -B "$directory" "$@")
   cmake --build "$directory" --parallel "$(nproc)" --target "${targets[@]}"
+}
+
+# on_screen command...: with the user's display, or a virtual one where there is none.
+on_screen() {
+  if [ -n "${DISPLAY-}" ]; then
+    "$@"
+  else
+    xvfb-run --auto-servernum "$@"
+  fi
 }

@@ -17,6 +17,7 @@
 #include <filesystem>
 #include <iomanip>
 #include <numeric>
+#include <sstream>
 #include <stdexcept>
 
 using namespace CGAL::Spider::benchmark;
@@ -66,7 +67,8 @@ public:
 
   void run()
   {
-    Progress progress(options.meshes.size() * options.radii.size() * estimators.size(), options.no_progress);
+    // a step for the mesh itself, and one for its other triangulations
+    Progress progress(2 * options.meshes.size() * options.radii.size() * estimators.size(), options.no_progress);
     for(const auto& path : options.meshes)
     {
       const Surface surface = read_surface(path);
@@ -78,6 +80,7 @@ public:
 
   void report() const
   {
+    std::cout << table.str();
     if(!options.output.empty())
       results.write(options.output);
   }
@@ -91,10 +94,13 @@ private:
     const double length = radius * surface.mean_edge_length;
     std::vector<Timed_estimates> all;
     for(const auto& estimator : estimators)
+    {
       all.push_back(CGAL::Spider::benchmark::run(*estimator, surface.mesh, length));
+      progress.step();
+    }
     const double rms = common_rms_curvature(all);
     const auto interior = interior_vertices(surface, length);
-    std::cout << '\n'
+    table << '\n'
               << name << ", " << surface.mesh.number_of_vertices() << " vertices, radius " << radius
               << " mean edge lengths: median changes of H in units of " << to_text(rms) << '\n'
               << std::setw(name_width) << "" << std::setw(width) << "flipped" << std::setw(width) << "remeshed"
@@ -102,7 +108,7 @@ private:
     for(std::size_t i = 0; i < estimators.size(); ++i)
     {
       const Row setting = {{"mesh", name}, {"mesh_vertices", surface.mesh.number_of_vertices()}, {"radius", radius}};
-      std::cout << std::left << std::setw(name_width) << estimators[i]->name() << std::right;
+      table << std::left << std::setw(name_width) << estimators[i]->name() << std::right;
       for(const auto& other : others)
         add_change(setting, *estimators[i], all[i].estimates, surface, other, length, rms, interior);
       add_agreement(setting, i, all, rms, interior);
@@ -121,7 +127,7 @@ private:
     row["change"] = other.first;
     append(row, change);
     results.add("stability", std::move(row));
-    std::cout << std::setw(width) << to_text(change.H.median);
+    table << std::setw(width) << to_text(change.H.median);
   }
 
   // the median difference from every other estimator, and on the screen the median of these
@@ -142,7 +148,7 @@ private:
       if(!std::isnan(difference.H.median))
         differences.push_back(difference.H.median);
     }
-    std::cout << std::setw(width) << to_text(summarise(differences).median);
+    table << std::setw(width) << to_text(summarise(differences).median);
   }
 
   void add_time(Row row, const Estimator& estimator, const Timed_estimates& timed, const Surface& surface)
@@ -151,7 +157,7 @@ private:
     row["estimator"] = estimator.name();
     row["microseconds"] = microseconds;
     results.add("time", std::move(row));
-    std::cout << std::setw(width) << to_text(microseconds) << '\n';
+    table << std::setw(width) << to_text(microseconds) << '\n';
   }
 
   static constexpr int name_width = 24, width = 11;
@@ -159,6 +165,7 @@ private:
   Options options;
   Estimators estimators;
   Results results;
+  std::ostringstream table; // shown in the end: it would tear the progress bar apart
 };
 
 } // namespace
@@ -173,6 +180,8 @@ int main(int argc, char** argv)
   CLI11_PARSE(app, argc, argv);
   if(options.quick && app.count("--radii") == 0)
     options.radii = {4};
+  if(options.quick && app.count("--estimators") == 0)
+    options.estimators = {"spider", "jet2_ball", "meyer", "rusinkiewicz"};
 
   return report_errors([&] {
     Comparison comparison(options, command_line(argc, argv));

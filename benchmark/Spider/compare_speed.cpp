@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <map>
+#include <sstream>
 
 using namespace CGAL::Spider::benchmark;
 
@@ -40,15 +41,22 @@ std::vector<std::pair<std::size_t, double>> settings(const Options& o)
   return result;
 }
 
-// Shows what Google Benchmark finds as it does, and keeps it.
+// Keeps what Google Benchmark finds: as results, and as its own table, which is shown in the end, since it would tear the
+// progress bar apart.
 class Recorder : public ::benchmark::ConsoleReporter
 {
 public:
-  explicit Recorder(Results& results) : ConsoleReporter(OO_Tabular), results(results) {}
+  Recorder(Results& results, Progress& progress) : ConsoleReporter(OO_Tabular), results(results), progress(progress)
+  {
+    SetOutputStream(&table);
+  }
+
+  void print(std::ostream& out) const { out << table.str(); }
 
   void ReportRuns(const std::vector<Run>& runs) override
   {
     ConsoleReporter::ReportRuns(runs);
+    progress.step();
     for(const Run& run : runs)
       if(run.run_type == Run::RT_Iteration && !run.error_occurred)
       {
@@ -63,6 +71,8 @@ public:
 
 private:
   Results& results;
+  Progress& progress;
+  std::ostringstream table;
 };
 
 // Irregular tori with a little noise: no borders, every valence, and nothing that one estimator finds easier than
@@ -115,8 +125,10 @@ void run_all(const Options& options, const std::string& command_line)
         ->MinTime(options.min_time);
     }
 
-  Recorder recorder(results);
+  Progress progress(estimators.size() * settings(options).size(), options.no_progress);
+  Recorder recorder(results, progress);
   ::benchmark::RunSpecifiedBenchmarks(&recorder);
+  recorder.print(std::cout);
   if(!options.output.empty())
     results.write(options.output);
 }

@@ -37,8 +37,10 @@ inline Estimators all_estimators()
   all.push_back(std::make_unique<Taubin_1995>());
   all.push_back(std::make_unique<Normal_cycle_2003>());
   all.push_back(std::make_unique<Rusinkiewicz_2004>());
-  all.push_back(std::make_unique<Goldfeather_Interrante_2004>(Goldfeather_Interrante_2004::Neighbourhood::one_ring));
-  all.push_back(std::make_unique<Goldfeather_Interrante_2004>(Goldfeather_Interrante_2004::Neighbourhood::ball));
+  using Goldfeather = Goldfeather_Interrante_2004;
+  all.push_back(std::make_unique<Goldfeather>(Goldfeather::Neighbourhood::one_ring));
+  all.push_back(std::make_unique<Goldfeather>(Goldfeather::Neighbourhood::ball));
+  all.push_back(std::make_unique<Goldfeather>(Goldfeather::Neighbourhood::ball, Normal_weight::area));
 #ifdef CGAL_SPIDER_HAS_CORRECTED_CURVATURES
   using Corrected = Corrected_curvatures;
   all.push_back(std::make_unique<Corrected>(Corrected::Neighbourhood::one_ring, Corrected::Normals::own));

@@ -23,35 +23,42 @@ namespace benchmark {
 //   df/dy = B x + C y + E x^2 + 2 F x y + 3 G y^2 = -b/c
 // and (A B; B C) is the Weingarten matrix. Lengths are first divided by the neighbours' root mean square distance:
 // without a unit, the first equation's weight against the other two, and so the answer, would depend on the mesh's.
-// The normals of the one-ring are averaged by the weights of Max 1999 (exact on a sphere, and better by half than those
-// by area on clean irregular meshes), those of the ball by area (better by a fifth to a third under noise, where a ball
-// is needed). A neighbour whose normal has turned by a right angle or more has no slope and is left out.
+// The paper leaves open how the vertices' normals are averaged. By the weights of Max 1999 they are exact on a sphere and
+// of second order elsewhere, and so are the curvatures; by area they are of first order on irregular meshes, and
+// curvatures get worse the smaller the ball, but under noise they are better by a fifth to a third: a ball comes with
+// either. A neighbour whose normal has turned by a right angle or more has no slope and is left out.
 class Goldfeather_Interrante_2004 : public Estimator
 {
 public:
   enum class Neighbourhood
   {
     one_ring, // the paper's
-    ball      // all connected vertices within the radius: the best case under noise
+    ball      // all connected vertices within the radius: the better case under noise
   };
 
-  explicit Goldfeather_Interrante_2004(Neighbourhood neighbourhood) : m_neighbourhood(neighbourhood) {}
+  explicit Goldfeather_Interrante_2004(Neighbourhood neighbourhood, Normal_weight weight = Normal_weight::sphere)
+    : m_neighbourhood(neighbourhood), m_weight(weight)
+  {}
 
-  std::string name() const override { return uses_radius() ? "goldfeather_ball" : "goldfeather"; }
+  std::string name() const override
+  {
+    return std::string("goldfeather") + (uses_radius() ? "_ball" : "") +
+           (m_weight == Normal_weight::area ? "_area" : "");
+  }
 
   std::string settings() const override
   {
     return std::string("Goldfeather and Interrante 2004, cubic fit to positions and normals, ") +
-           (uses_radius() ? "all connected vertices within r, area-weighted vertex normals"
-                          : "one-ring, vertex normals by the weights of Max 1999");
+           (uses_radius() ? "all connected vertices within r, " : "one-ring, ") +
+           (m_weight == Normal_weight::area ? "area-weighted vertex normals"
+                                            : "vertex normals by the weights of Max 1999");
   }
 
   bool uses_radius() const override { return m_neighbourhood == Neighbourhood::ball; }
 
   void estimate(const Mesh& mesh, double radius, std::vector<Estimate>& out) const override
   {
-    const Normal_weight weight = uses_radius() ? Normal_weight::area : Normal_weight::sphere;
-    estimate_from_normals(mesh, vertex_normals(mesh, weight), radius, out);
+    estimate_from_normals(mesh, vertex_normals(mesh, m_weight), radius, out);
   }
 
   // the same from given unit normals, by vertex index
@@ -132,6 +139,7 @@ private:
   };
 
   Neighbourhood m_neighbourhood;
+  Normal_weight m_weight;
 };
 
 } // namespace benchmark

@@ -97,7 +97,8 @@ def accuracy(errors):
     noises = sorted({row["noise"] for row in errors})
 
     result = []
-    for measure, label in (("H_mean", "mean error of H / RMS curvature"), ("direction_mean", "directions off, degrees")):
+    for measure, what, label in (("H_mean", "Mean curvature", "mean error of H / RMS curvature"),
+                                 ("direction_mean", "Principal directions", "mean error, degrees")):
         figure, axes = panels(tessellations, "radius / mean edge length", label)
         for axis, tessellation in zip(axes, tessellations):
             for name in names:
@@ -107,7 +108,7 @@ def accuracy(errors):
                     curve(axis, rows, "radius", measure, styles[name], name)
                 elif radii:
                     across(axis, rows, radii, measure, styles[name], name)
-        result.append({"title": f"Against the radius, noise {noises[-1]:g}", "svg": finish(figure, axes)})
+        result.append({"title": f"{what} against the radius, noise {noises[-1]:g}", "svg": finish(figure, axes)})
 
         figure, axes = panels(tessellations, "noise / mean edge length", label)
         for axis, tessellation in zip(axes, tessellations):
@@ -116,7 +117,7 @@ def accuracy(errors):
                         and row["radius"] in (0, radii[-1] if radii else 0)]
                 curve(axis, rows, "noise", measure, styles[name], name)
         at_radius = f", radius {radii[-1]:g}" if radii else ""
-        result.append({"title": f"Against noise{at_radius}", "svg": finish(figure, axes)})
+        result.append({"title": f"{what} against noise{at_radius}", "svg": finish(figure, axes)})
     return result
 
 
@@ -135,7 +136,7 @@ def border(rows):
             chosen = [row for row in rows if (row["estimator"], row["noise"], row["radius"]) == (name, noise, radius)]
             if chosen:
                 curve(axis, chosen, "distance", "H_mean", styles[name], name)
-    return [{"title": f"Near a border, radius {radius:g}", "svg": finish(figure, axes)}]
+    return [{"title": f"Mean curvature near a border, radius {radius:g}", "svg": finish(figure, axes)}]
 
 
 def speed(rows):

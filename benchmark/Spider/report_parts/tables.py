@@ -84,6 +84,41 @@ def accuracy(errors):
     return result
 
 
+def is_own(name):
+    return name.startswith("spider")
+
+
+def best_of(rows, measure, is_wanted):
+    """The lowest (error, name) among the estimators that are wanted; None if there is none."""
+    names = [name for name in in_order(row["estimator"] for row in rows) if is_wanted(name)]
+    found = [(mean([row for row in rows if row["estimator"] == name], measure), name) for name in names]
+    return min(((error, name) for error, name in found if error is not None), default=None)
+
+
+def in_short(errors):
+    """Who errs least at each noise, radius and tessellation, and how far Spider's best is behind where it isn't Spider."""
+    radii = sorted({row["radius"] for row in errors} - {0}) or [0]
+    rows = []
+    for noise in sorted({row["noise"] for row in errors}):
+        for radius in radii:
+            for tessellation in in_order(row["tessellation"] for row in errors):
+                chosen = [row for row in errors if row["noise"] == noise and row["radius"] in (0, radius)
+                          and row["tessellation"] == tessellation]
+                cells_of_row = []
+                for measure in ("H_mean", "direction_mean"):
+                    best, own = best_of(chosen, measure, lambda name: True), best_of(chosen, measure, is_own)
+                    if best is None:
+                        continue
+                    cells_of_row.append({
+                        "leader": best[1], "error": text(best[0]), "leads": is_own(best[1]),
+                        "own": own and own[1], "own_error": text(own and own[0]),
+                        "behind": own and best[0] and text(own[0] / best[0])})
+                rows.append({"noise": noise, "radius": radius, "tessellation": tessellation, "cells": cells_of_row})
+    counts = [(title, sum(row["cells"][i]["leads"] for row in rows if len(row["cells"]) > i),
+               sum(len(row["cells"]) > i for row in rows)) for i, title in enumerate(("mean curvature", "directions"))]
+    return {"rows": rows, "counts": counts}
+
+
 def stability(rows):
     """How much H changes on other triangulations, by radius."""
     result = []

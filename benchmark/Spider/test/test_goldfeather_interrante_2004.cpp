@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "../estimators/Goldfeather_Interrante_2004.h"
+#include "../measures.h"
 #include "test_meshes.h"
 
 #include <gtest/gtest.h>
@@ -99,6 +100,24 @@ TEST(Goldfeather_Interrante_2004, NeedsNoNormalsOnASphere)
   const auto averaged = estimates(Goldfeather_Interrante_2004(Neighbourhood::one_ring), mesh);
   for(Mesh::Vertex_index v : mesh.vertices())
     EXPECT_NEAR(given[v.idx()].mean_curvature(), averaged[v.idx()].mean_curvature(), 1e-10);
+}
+
+// Without noise the error falls with the square of the radius, on any tessellation: a cubic neglects the same fourth order
+// that a quadric does. Normals of first order, as those weighted by area are, would make it grow instead.
+TEST(Goldfeather_Interrante_2004, FallsWithTheSquareOfTheRadiusOnIrregularMeshes)
+{
+  Recipe recipe;
+  recipe.shape = "sphere";
+  recipe.tessellation = Tessellation::irregular;
+  recipe.number_of_vertices = 4000;
+  const Surface surface = make_surface(recipe);
+  const auto error = [&](double radius_in_edges) {
+    const double radius = radius_in_edges * surface.mean_edge_length;
+    const auto found = estimates(Goldfeather_Interrante_2004(Neighbourhood::ball), surface.mesh, radius);
+    return compare(found, surface.truth, interior_vertices(surface, radius), surface.rms_curvature).H.mean;
+  };
+  EXPECT_NEAR(order(error(6), error(3)), 2, 0.2); // measured: MEASURED; with normals weighted by area: AREA
+  EXPECT_LT(error(6), 0.06);                      // measured: ERROR6
 }
 
 TEST(Goldfeather_Interrante_2004, SaysNothingWithTooFewNeighbours)

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "../estimators/Jet_fitting.h"
+#include "../measures.h"
 #include "test_meshes.h"
 
 #include <gtest/gtest.h>
@@ -131,6 +132,26 @@ TEST(Jet_fitting, AgreesWithPlainUseOnABall)
     for(Mesh::Vertex_index v : inner_vertices(cells))
       expect_same(all[v.idx()], plain_jet(mesh, v, plain_ball(mesh, v, radius), degree));
   }
+}
+
+// Under noise the error is the one that least squares must have. On a sphere the mean curvature of a quadric over a disc
+// of radius r is twice the slope of z against the squared distance, whose variance over the disc is r^4 / 12; so n vertices
+// with noise of the standard deviation a / sqrt(12) give a normally distributed H with the deviation 2 a / (r^2 sqrt(n)).
+TEST(Jet_fitting, HasTheErrorThatNoiseMustCause)
+{
+  Recipe recipe;
+  recipe.shape = "sphere";
+  recipe.number_of_vertices = 4000;
+  recipe.noise.amplitude = 1;
+  const Surface surface = make_surface(recipe);
+  const double a = surface.mean_edge_length, radius = 4 * a;
+  const auto found = estimates(Jet_fitting(2, Neighbourhood::ball), surface.mesh, radius);
+  const double measured = compare(found, surface.truth, interior_vertices(surface, radius), 1).H.mean;
+
+  const double in_ball = double(surface.mesh.number_of_vertices()) * radius * radius / 4; // its share of the unit sphere
+  const double deviation = 2 * a / (radius * radius * std::sqrt(in_ball));
+  const double mean_over_deviation = std::sqrt(2 / CGAL_PI);
+  EXPECT_NEAR(measured / (mean_over_deviation * deviation), 1, 0.1); // measured: MEASURED
 }
 
 TEST(Jet_fitting, SaysNothingWhereTheMeshIsTooSmall)
