@@ -61,7 +61,7 @@ void be_quick(const CLI::App& app, Options& o)
   set("--tessellations", o.tessellations, std::vector<std::string>{"irregular", "slivers"});
   set("--noise", o.noise, std::vector<double>{0, 1});
   set("--radii", o.radii, std::vector<double>{2, 4});
-  set("--vertices", o.vertices, std::size_t(2500)); // on fewer, the larger radius is that of the torus' tube
+  set("--vertices", o.vertices, std::size_t(2000)); // on fewer, the larger radius is that of the torus' tube
 }
 
 class Comparison
