@@ -41,7 +41,8 @@ def main():
     pixels = matplotlib.image.imread(screenshot)[..., :3]
     red = (pixels[..., 0] > 0.6) & (pixels[..., 2] < 0.3)
     blue = (pixels[..., 2] > 0.6) & (pixels[..., 0] < 0.4)
-    if not (red.mean() > 0.005 and blue.mean() > 0.005):
+    # measured: 0.0072 and 0.0045; 0.0006 each, the plots' lines, on a page without the pictures
+    if not (red.mean() > 0.002 and blue.mean() > 0.002):
         sys.exit("error: the screenshot shows no surfaces coloured by H")
     print(screenshot)
 
