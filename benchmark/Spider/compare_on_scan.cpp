@@ -101,10 +101,10 @@ private:
     const double rms = common_rms_curvature(all);
     const auto interior = interior_vertices(surface, length);
     table << '\n'
-              << name << ", " << surface.mesh.number_of_vertices() << " vertices, radius " << radius
-              << " mean edge lengths: median changes of H in units of " << to_text(rms) << '\n'
-              << std::setw(name_width) << "" << std::setw(width) << "flipped" << std::setw(width) << "remeshed"
-              << std::setw(width) << "others" << std::setw(width) << "us/vertex" << '\n';
+          << name << ", " << surface.mesh.number_of_vertices() << " vertices, radius " << radius
+          << " mean edge lengths: median changes of H in units of " << to_text(rms) << '\n'
+          << std::setw(name_width) << "" << std::setw(width) << "flipped" << std::setw(width) << "remeshed"
+          << std::setw(width) << "others" << std::setw(width) << "us/vertex" << '\n';
     for(std::size_t i = 0; i < estimators.size(); ++i)
     {
       const Row setting = {{"mesh", name}, {"mesh_vertices", surface.mesh.number_of_vertices()}, {"radius", radius}};

@@ -41,8 +41,8 @@ std::vector<std::pair<std::size_t, double>> settings(const Options& o)
   return result;
 }
 
-// Keeps what Google Benchmark finds: as results, and as its own table, which is shown in the end, since it would tear the
-// progress bar apart.
+// Keeps what Google Benchmark finds: as results, and as its own table, which is shown in the end, since it would tear
+// the progress bar apart.
 class Recorder : public ::benchmark::ConsoleReporter
 {
 public:

@@ -23,9 +23,9 @@ namespace benchmark {
 //   df/dy = B x + C y + E x^2 + 2 F x y + 3 G y^2 = -b/c
 // and (A B; B C) is the Weingarten matrix. Lengths are first divided by the neighbours' root mean square distance:
 // without a unit, the first equation's weight against the other two, and so the answer, would depend on the mesh's.
-// The paper leaves open how the vertices' normals are averaged. By the weights of Max 1999 they are exact on a sphere and
-// of second order elsewhere, and so are the curvatures; by area they are of first order on irregular meshes, and
-// curvatures get worse the smaller the ball, but under noise they are better by a fifth to a third: a ball comes with
+// The paper leaves open how the vertices' normals are averaged. By the weights of Max 1999 they are exact on a sphere
+// and of second order elsewhere, and so are the curvatures; by area they are of first order on irregular meshes, and
+// curvatures get worse the smaller the ball, but under noise they are better by a fifth or more: a ball comes with
 // either. A neighbour whose normal has turned by a right angle or more has no slope and is left out.
 class Goldfeather_Interrante_2004 : public Estimator
 {

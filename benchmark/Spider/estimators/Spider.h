@@ -56,7 +56,8 @@ inline std::unique_ptr<Estimator> spider(unsigned int degree)
 {
   return make_spider(degree == 2 ? "spider" : "spider_d" + std::to_string(degree),
                      "Spider's surface_fit with the library's defaults: one height field of degree " +
-                       std::to_string(degree) + " for the samples of all limbs of tangential distance r, first normals "
+                       std::to_string(degree) +
+                       " for the samples of all limbs of tangential distance r, first normals "
                        "averaged over a neighbourhood",
                      parameters::estimator(surface_fit).polynomial_degree(degree));
 }

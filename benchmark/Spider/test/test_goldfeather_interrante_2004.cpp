@@ -102,8 +102,8 @@ TEST(Goldfeather_Interrante_2004, NeedsNoNormalsOnASphere)
     EXPECT_NEAR(given[v.idx()].mean_curvature(), averaged[v.idx()].mean_curvature(), 1e-10);
 }
 
-// Without noise the error falls with the square of the radius, on any tessellation: a cubic neglects the same fourth order
-// that a quadric does. Normals of first order, as those weighted by area are, would make it grow instead.
+// Without noise the error falls with the square of the radius, on any tessellation: a cubic neglects the same fourth
+// order that a quadric does. Normals of first order, as those weighted by area are, would make it grow instead.
 TEST(Goldfeather_Interrante_2004, FallsWithTheSquareOfTheRadiusOnIrregularMeshes)
 {
   Recipe recipe;

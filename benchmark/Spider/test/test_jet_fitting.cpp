@@ -134,9 +134,10 @@ TEST(Jet_fitting, AgreesWithPlainUseOnABall)
   }
 }
 
-// Under noise the error is the one that least squares must have. On a sphere the mean curvature of a quadric over a disc
-// of radius r is twice the slope of z against the squared distance, whose variance over the disc is r^4 / 12; so n vertices
-// with noise of the standard deviation a / sqrt(12) give a normally distributed H with the deviation 2 a / (r^2 sqrt(n)).
+// Under noise the error is the one that least squares must have. On a sphere the mean curvature of a quadric over a
+// disc of radius r is twice the slope of z against the squared distance, whose variance over the disc is r^4 / 12; so n
+// vertices with noise of the standard deviation a / sqrt(12) give a normally distributed H with the deviation 2 a /
+// (r^2 sqrt(n)).
 TEST(Jet_fitting, HasTheErrorThatNoiseMustCause)
 {
   Recipe recipe;
@@ -148,7 +149,8 @@ TEST(Jet_fitting, HasTheErrorThatNoiseMustCause)
   const auto found = estimates(Jet_fitting(2, Neighbourhood::ball), surface.mesh, radius);
   const double measured = compare(found, surface.truth, interior_vertices(surface, radius), 1).H.mean;
 
-  const double in_ball = double(surface.mesh.number_of_vertices()) * radius * radius / 4; // its share of the unit sphere
+  const double in_ball =
+    double(surface.mesh.number_of_vertices()) * radius * radius / 4; // its share of the unit sphere
   const double deviation = 2 * a / (radius * radius * std::sqrt(in_ball));
   const double mean_over_deviation = std::sqrt(2 / CGAL_PI);
   EXPECT_NEAR(measured / (mean_over_deviation * deviation), 1, 0.1); // measured: 1.05
