@@ -92,33 +92,59 @@ public:
     return {second, third};
   }
 
-  /// returns the halfedge from `v` into the incident face whose two other vertices come first in the order of
-  /// descriptors, or `null_halfedge()` where there is no face. It stays the same corner when the mesh moves, scales or
-  /// turns inside out, which makes it the place to measure directions from.
+  /// returns the halfedge from `v` into the incident face whose edge opposite to `v` has the farthest midpoint, or
+  /// `null_halfedge()` where there is no face. It stays the same corner when the mesh moves, scales, turns inside out
+  /// or is held in another data structure, which makes it the place to measure directions from. Where several are as
+  /// far, as on regular meshes, that whose two other vertices come first in the order of descriptors is taken.
   Halfedge first_corner(Vertex v) const
   {
+    constexpr Scalar as_far = (1 - Scalar(1e-6)) * (1 - Scalar(1e-6)); // far above rounding; of squares
     Halfedge best = null_halfedge();
-    const Halfedge incoming = bgl::halfedge_of(v, tmesh_);
-    if(incoming == null_halfedge())
-      return best;
+    const Scalar farthest = squared_distance_of_farthest_rim(v);
     std::pair<Vertex, Vertex> best_rim;
-    for(Halfedge h : CGAL::halfedges_around_target(incoming, tmesh_))
-    {
-      if(CGAL::is_border(h, tmesh_))
-        continue;
-      const Halfedge out = next(h, tmesh_);
-      const Vertex a = target(out), b = source(h);
+    for_each_corner(v, [&](Halfedge corner) {
+      if(squared_distance_of_rim(corner) < as_far * farthest)
+        return;
+      const Halfedge opposite_edge = next(corner, tmesh_);
+      const Vertex a = source(opposite_edge), b = target(opposite_edge);
       const std::pair<Vertex, Vertex> rim = b < a ? std::make_pair(b, a) : std::make_pair(a, b);
       if(best == null_halfedge() || rim < best_rim)
       {
-        best = out;
+        best = corner;
         best_rim = rim;
       }
-    }
+    });
     return best;
   }
 
 private:
+  /// calls `visit(corner)` for the halfedge from `v` into each incident face.
+  template <typename Visitor>
+  void for_each_corner(Vertex v, Visitor&& visit) const
+  {
+    const Halfedge incoming = bgl::halfedge_of(v, tmesh_);
+    if(incoming == null_halfedge())
+      return;
+    for(Halfedge h : CGAL::halfedges_around_target(incoming, tmesh_))
+      if(!CGAL::is_border(h, tmesh_))
+        visit(next(h, tmesh_));
+  }
+
+  /// returns four times the squared distance of a corner's vertex from the midpoint of the opposite edge.
+  Scalar squared_distance_of_rim(Halfedge corner) const
+  {
+    const Vec3<Scalar> p = point(source(corner));
+    const Halfedge opposite_edge = next(corner, tmesh_);
+    return ((point(source(opposite_edge)) - p) + (point(target(opposite_edge)) - p)).squaredNorm();
+  }
+
+  Scalar squared_distance_of_farthest_rim(Vertex v) const
+  {
+    Scalar farthest = 0;
+    for_each_corner(v, [&](Halfedge corner) { farthest = std::max(farthest, squared_distance_of_rim(corner)); });
+    return farthest;
+  }
+
   const TriangleMesh& tmesh_;
   VertexPointMap vpm_;
 };

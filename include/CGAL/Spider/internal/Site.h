@@ -101,6 +101,24 @@ Site<View> site_on_edge(const View& view, typename View::Halfedge h, typename Vi
   return site;
 }
 
+/// returns the longest edge of a triangle, as a vector; of several as long, that whose vertices come first in their
+/// order.
+template <typename View>
+Vec3<typename View::Scalar> longest_edge(const View& view, std::array<typename View::Vertex, 3> vertices)
+{
+  using Scalar = typename View::Scalar;
+  constexpr Scalar longer = (1 + Scalar(1e-6)) * (1 + Scalar(1e-6)); // far above rounding; of squares
+  std::sort(vertices.begin(), vertices.end());
+  const auto edge = [&](int from, int to) {
+    return Vec3<Scalar>(view.point(vertices[to]) - view.point(vertices[from]));
+  };
+  Vec3<Scalar> longest = edge(0, 1);
+  for(const Vec3<Scalar>& other : {edge(0, 2), edge(1, 2)})
+    if(other.squaredNorm() > longer * longest.squaredNorm())
+      longest = other;
+  return longest;
+}
+
 template <typename View>
 Site<View> site_in_face(const View& view,
                         const std::array<typename View::Halfedge, 3>& edges,
@@ -112,9 +130,7 @@ Site<View> site_in_face(const View& view,
   site.weights = weights;
   const Vec3<typename View::Scalar> a = view.point(site.vertices[0]);
   site.point = a + weights[1] * (view.point(site.vertices[1]) - a) + weights[2] * (view.point(site.vertices[2]) - a);
-  std::array<typename View::Vertex, 3> in_order = site.vertices;
-  std::sort(in_order.begin(), in_order.end());
-  site.reference = view.point(in_order[1]) - view.point(in_order[0]);
+  site.reference = longest_edge(view, site.vertices);
   return site;
 }
 
