@@ -58,7 +58,9 @@ struct Limb_3
   std::vector<Point_3> polyline; ///< from the query point to the limb's end; never empty
   FT length = FT(0);             ///< the length of `polyline`, at most the geodesic radius
   Limb_end end = degenerate;     ///< how the limb ended
-  edge_descriptor edge{};        ///< the edge where it ended early (`border`, `feature_edge`); else default-constructed
+  /// the edge where it ended early (`border`, `feature_edge`). Default-constructed for other ends, and where the limb
+  /// leaves the mesh at the query point itself: it ends as `border` there, has no length, and crosses no edge.
+  edge_descriptor edge{};
 };
 
 } // namespace Spider
