@@ -87,9 +87,7 @@ private:
     estimate.max_curvature = fit.max_curvature / radius;
     estimate.residual = fit.residual * radius;
     estimate.normal = unit<Scalar>(from_frame(fit.normal));
-    // A pair found orthogonal to the old normal is turned to be so to the new one.
-    const Vec3<Scalar> direction = from_frame(fit.min_direction);
-    estimate.min_direction = unit<Scalar>(direction - direction.dot(estimate.normal) * estimate.normal);
+    estimate.min_direction = unit<Scalar>(from_frame(fit.min_direction));
     estimate.max_direction = estimate.normal.cross(estimate.min_direction);
   }
 

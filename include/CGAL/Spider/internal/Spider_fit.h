@@ -36,8 +36,8 @@ struct Spider_fit
 {
   bool determined = false;
   Scalar min_curvature = nan<Scalar>(), max_curvature = nan<Scalar>();
-  Vec3<Scalar> min_direction = nan_vec3<Scalar>(); ///< that of `max_curvature` is a quarter turn on
   Vec3<Scalar> normal = nan_vec3<Scalar>();        ///< from which the next round starts
+  Vec3<Scalar> min_direction = nan_vec3<Scalar>(); ///< orthogonal to `normal`; that of `max_curvature` completes them
   Scalar residual = nan<Scalar>();                 ///< root mean square
 };
 

@@ -112,8 +112,17 @@ Vec3<Scalar> section_normal(Scalar angle, Scalar slope)
   return Vec3<Scalar>(-slope * std::cos(angle), -slope * std::sin(angle), 1).normalized();
 }
 
+/// turns a tangent along with the normal, which goes from the frame's to `normal` by the smallest rotation. Unlike a
+/// projection it treats both directions of a pair alike.
+template <typename Scalar>
+Vec3<Scalar> turned_along(const Vec3<Scalar>& tangent, const Vec3<Scalar>& normal)
+{
+  return tangent - normal.dot(tangent) / (1 + normal.z()) * (normal + Vec3<Scalar>::UnitZ());
+}
+
 /// finds the orthogonal pair of greatest difference among the sections along an even number of directions that are
-/// spaced regularly over a half turn; the new normal is the average of the normals of the two (paper, 2.3).
+/// spaced regularly over a half turn; the new normal is the average of their normals (paper, 2.3) and of those of the
+/// pairs that are nearly as great.
 template <typename Scalar>
 Spider_fit<Scalar> fit_principal_pair(const std::vector<Section<Scalar>>& sections)
 {
@@ -133,17 +142,18 @@ Spider_fit<Scalar> fit_principal_pair(const std::vector<Section<Scalar>>& sectio
   fit.min_curvature = sections[least].curvature;
   fit.max_curvature = sections[greatest].curvature;
   const Scalar angle = angle_of_direction<Scalar>(least, count);
-  fit.min_direction = Vec3<Scalar>(std::cos(angle), std::sin(angle), 0);
 
-  // At the tip of a cube three pairs tie. One pair stands for directions up to a spacing away, where by Euler's theorem
-  // the difference falls by the cosine of twice that: pairs that near to the greatest share in the normal.
-  const Scalar as_great = std::cos(2 * angle_of_direction<Scalar>(1, count)) * std::abs(difference(principal));
+  // Where the surface is smooth all pairs lead to the same normal. Where it isn't, as at the tip of a cube, far apart
+  // pairs nearly tie, and the greatest alone would leave the normal to chance: by Euler's theorem the difference falls
+  // by the cosine of twice the angle, so half of the pairs are as great as this, and share in the normal.
+  const Scalar as_great = std::sqrt(Scalar(0.5)) * std::abs(difference(principal));
   Vec3<Scalar> normal = Vec3<Scalar>::Zero();
   for(int i = 0; i < quarter; ++i)
     if(std::abs(difference(i)) >= as_great)
       for(int k : {i, i + quarter})
         normal += section_normal(angle_of_direction<Scalar>(k, count), sections[k].slope);
   fit.normal = normal.normalized();
+  fit.min_direction = turned_along(Vec3<Scalar>(std::cos(angle), std::sin(angle), 0), fit.normal);
 
   Scalar squared_residuals = 0;
   std::size_t number_of_samples = 0;
