@@ -12,6 +12,8 @@
 
 #include <algorithm>
 #include <fstream>
+#include <set>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -48,9 +50,19 @@ Polygon_soup read_polygon_soup(const std::string& file)
   return soup;
 }
 
+std::size_t number_of_edges(const Polygon_soup& soup)
+{
+  std::set<std::pair<std::size_t, std::size_t>> edges;
+  for(const auto& polygon : soup.polygons)
+    for(std::size_t i = 0; i < polygon.size(); ++i)
+      edges.insert(std::minmax(polygon[i], polygon[(i + 1) % polygon.size()]));
+  return edges.size();
+}
+
 // A soup that is a mesh as it stands keeps its vertices in their order. Otherwise corners at one place become one
-// vertex and faces are turned to agree, as files without vertices of their own need it (STL); what is no manifold then
-// is refused, since cutting it into one would change what was asked about.
+// vertex and faces are turned to agree, as files without vertices of their own need it (STL), and where parts of the
+// surface meet at a single vertex each gets its own. A soup that would have to be cut along an edge is refused, since
+// that would change what was asked about.
 void make_manifold(Polygon_soup& soup, const std::string& file)
 {
   namespace PMP = CGAL::Polygon_mesh_processing;
@@ -58,9 +70,12 @@ void make_manifold(Polygon_soup& soup, const std::string& file)
   if(PMP::is_polygon_soup_a_polygon_mesh(soup.polygons))
     return;
   PMP::repair_polygon_soup(soup.points, soup.polygons);
-  if(!PMP::orient_polygon_soup(soup.points, soup.polygons))
+  const std::size_t edges = number_of_edges(soup);
+  PMP::orient_polygon_soup(soup.points,
+                           soup.polygons); // where faces don't fit together it gives them points of their own
+  if(number_of_edges(soup) != edges || !PMP::is_polygon_soup_a_polygon_mesh(soup.polygons))
     throw Unusable_mesh(file, "isn't an orientable manifold: faces meet in more than pairs along an edge, "
-                              "meet at a single vertex only, or can't be turned to agree");
+                              "or can't be turned to agree");
 }
 
 } // namespace

@@ -203,9 +203,20 @@ TEST(Demo_read_mesh, turns_faces_to_agree)
   EXPECT_EQ(mesh.number_of_edges(), 5u);
 }
 
+TEST(Demo_read_mesh, gives_parts_that_meet_at_a_vertex_one_each)
+{
+  const auto mesh = demo::read_mesh(
+    written_file("touching.off", "OFF\n5 2 0\n0 0 0\n1 0 0\n0 1 0\n-1 0 0\n0 -1 0\n3 0 1 2\n3 0 3 4\n"));
+  EXPECT_TRUE(mesh.is_valid());
+  EXPECT_EQ(mesh.number_of_vertices(), 6u);
+  EXPECT_EQ(mesh.number_of_edges(), 6u);
+}
+
 TEST(Demo_read_mesh, refuses_in_one_line)
 {
   const std::string fin = "OFF\n5 3 0\n0 0 0\n1 0 0\n0 1 0\n0 -1 0\n0 0 1\n3 0 1 2\n3 0 1 3\n3 0 1 4\n";
+  const std::string moebius_strip = "OFF\n5 5 0\n0 0 0\n1 0 1\n2 0 0\n2 2 1\n0 2 0\n"
+                                    "3 0 1 2\n3 1 2 3\n3 2 3 4\n3 3 4 0\n3 4 0 1\n";
   const std::vector<std::pair<std::string, std::string>> cases = {
     {testing::TempDir() + "no-such-file.off", "can't be opened"},
     {written_file("text.off", "no mesh at all"), "can't be read"},
@@ -214,6 +225,7 @@ TEST(Demo_read_mesh, refuses_in_one_line)
     {written_file("repeated.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 0 1\n"), "has no faces"},
     {written_file("points.off", "OFF\n1 0 0\n0 0 0\n"), "has no faces"},
     {written_file("index.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n"), ""},
+    {written_file("moebius_strip.off", moebius_strip), "isn't an orientable manifold"},
     {written_file("fin.off", fin), "isn't an orientable manifold"}};
   for(const auto& [file, reason] : cases)
   {
