@@ -45,7 +45,8 @@ principal curvatures and the next normal:
 - `surface_fit` fits one polynomial height field to the samples of all limbs and takes curvatures and
   normal from its fundamental forms;
 - `section_fit` fits a polynomial along each direction, takes the orthogonal pair of directions whose curvatures differ
-  most as the principal one, and the average of its two normals as the next normal (paper, 2.2 to 2.4).
+  most as the principal one, and the average of its two normals as the next normal (paper, 2.2 to 2.4). Pairs that differ
+  nearly as much share in that average: on a smooth surface it stays the same, at a corner it doesn't depend on chance.
 
 With `geodesic_radius` and `number_of_directions` given, it takes time linear in the number of faces crossed, whatever the
 size of the mesh.
