@@ -109,7 +109,8 @@ auto estimate_normal_curvature(const Query& query,
     return result;
   std::vector<internal::Sample<Scalar>> samples;
   internal::Spider_extent<Scalar> extent;
-  internal::sample_direction(inputs.view, at.site, d, n, at.radius, inputs.options, samples, extent);
+  const internal::Local_coordinates<Scalar> local(at.site.point, {n, d}, at.radius);
+  internal::sample_direction(inputs.view, at.site, local, Scalar(0), inputs.options, samples, extent);
   const internal::Section<Scalar> section = internal::fit_section(samples, inputs.options.polynomial_degree);
   if(!section.determined)
     return result;

@@ -14,6 +14,7 @@
 #ifndef CGAL_SPIDER_INTERNAL_CUT_H
 #define CGAL_SPIDER_INTERNAL_CUT_H
 
+#include <CGAL/Spider/internal/Local_coordinates.h>
 #include <CGAL/Spider/internal/Site.h>
 #include <CGAL/Spider/internal/numbers.h>
 
@@ -31,37 +32,33 @@ struct Cut_point
   Scalar y, z, side;
 };
 
-/// The half plane of one limb. Lengths are in units of the geodesic radius, so nothing over- or underflows.
+/// The half plane of one limb: through the normal, and the direction at the angle given by its cosine and sine.
 template <typename Scalar>
 class Cut
 {
 public:
-  /// `direction` and `normal` are orthonormal.
-  Cut(const Vec3<Scalar>& origin, const Vec3<Scalar>& direction, const Vec3<Scalar>& normal, Scalar radius)
-    : origin_(origin), along_(direction / radius), up_(normal / radius), across_(normal.cross(direction) / radius)
+  Cut(const Local_coordinates<Scalar>& local, Scalar cosine, Scalar sine)
+    : local_(local), cosine_(cosine), sine_(sine), shift_(local.rounding())
   {
-    // The error of a coordinate is half an epsilon of its size, and a handful of operations follow.
-    constexpr Scalar epsilons = 16;
-    rounding_ =
-      epsilons * std::numeric_limits<Scalar>::epsilon() * (1 + origin.template lpNorm<Eigen::Infinity>() / radius);
-    shift_ = rounding_;
   }
 
   /// returns the distance at which points are the same but for rounding.
-  Scalar rounding() const { return rounding_; }
+  Scalar rounding() const { return local_.rounding(); }
+  /// returns how far to the right of the query point the plane runs.
+  Scalar shift() const { return shift_; }
 
   /// has vertices on the plane count as right instead of left.
-  void count_vertices_on_the_plane_as_right() { shift_ = -rounding_; }
+  void count_vertices_on_the_plane_as_right() { shift_ = -local_.rounding(); }
 
   Cut_point<Scalar> operator()(const Vec3<Scalar>& point) const
   {
-    const Vec3<Scalar> a = point - origin_;
-    return {a.dot(along_), a.dot(up_), a.dot(across_) + shift_};
+    const Vec3<Scalar> a = local_(point);
+    return {cosine_ * a.x() + sine_ * a.y(), a.z(), cosine_ * a.y() - sine_ * a.x() + shift_};
   }
 
 private:
-  Vec3<Scalar> origin_, along_, up_, across_;
-  Scalar rounding_, shift_;
+  Local_coordinates<Scalar> local_;
+  Scalar cosine_, sine_, shift_;
 };
 
 /// An edge on its way out of a face, with its end points. The source keeps to one side of the plane along the whole walk.
@@ -146,6 +143,17 @@ Exit<View> first_exit(const View& view, const Site<View>& site, const Cut<typena
     }
   }
   return best;
+}
+
+/// finds that edge; where there is none with vertices on the plane counted as left, counts them as right from then on.
+template <typename View>
+Exit<View> first_exit_either_way(const View& view, const Site<View>& site, Cut<typename View::Scalar>& cut)
+{
+  const Exit<View> exit = first_exit(view, site, cut);
+  if(exit.exists())
+    return exit;
+  cut.count_vertices_on_the_plane_as_right();
+  return first_exit(view, site, cut);
 }
 
 } // namespace internal

@@ -52,7 +52,7 @@ private:
 };
 
 /// What the walk needs of a mesh, copied once into arrays: for batches. Any number of threads may read it, and every
-/// model of `FaceGraph` runs at the same speed. The halfedges of face f are 3f, 3f + 1 and 3f + 2.
+/// model of `FaceGraph` runs at the same speed. The halfedges of face f are 4f, 4f + 1 and 4f + 2.
 template <typename Scalar_>
 class Mesh_snapshot
 {
@@ -69,14 +69,14 @@ public:
                 const Ranks<typename boost::graph_traits<TriangleMesh>::face_descriptor>& faces)
   {
     using Mesh_halfedge = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
-    if(3 * faces.size() >= null_halfedge())
-      throw std::invalid_argument("Spider: tmesh has more than 1.4 billion faces: split it");
+    if(4 * faces.size() >= null_halfedge())
+      throw std::invalid_argument("Spider: tmesh has more than a billion faces: split it");
 
     const auto id = [&](Mesh_halfedge h) -> Halfedge {
       if(h == boost::graph_traits<TriangleMesh>::null_halfedge())
         return null_halfedge();
       const auto f = view.face(h);
-      Halfedge result = static_cast<Halfedge>(3 * faces(f));
+      Halfedge result = static_cast<Halfedge>(4 * faces(f));
       for(Mesh_halfedge at = view.halfedge(f); at != h; at = next(at, tmesh))
         ++result;
       return result;
@@ -108,12 +108,12 @@ public:
   static constexpr Face null_face() { return std::numeric_limits<Face>::max(); }
 
   std::size_t number_of_vertices() const { return points_.size(); }
-  Vertex source(Halfedge h) const { return sources_[h]; }
-  Vertex target(Halfedge h) const { return sources_[following(h)]; }
-  Halfedge halfedge(Face f) const { return 3 * f; }
-  Face face(Halfedge h) const { return h / 3; }
+  Vertex source(Halfedge h) const { return sources_[slot(h)]; }
+  Vertex target(Halfedge h) const { return sources_[slot(following(h))]; }
+  Halfedge halfedge(Face f) const { return 4 * f; }
+  Face face(Halfedge h) const { return h / 4; }
   const Vec3<Scalar>& point(Vertex v) const { return points_[v]; }
-  Halfedge opposite(Halfedge h) const { return opposites_[h]; }
+  Halfedge opposite(Halfedge h) const { return opposites_[slot(h)]; }
   Halfedge first_corner(Vertex v) const { return first_corners_[v]; }
 
   std::pair<Halfedge, Halfedge> other_edges(Halfedge h) const
@@ -123,7 +123,8 @@ public:
   }
 
 private:
-  static Halfedge following(Halfedge h) { return h % 3 == 2 ? h - 2 : h + 1; }
+  static Halfedge following(Halfedge h) { return (h & 3) == 2 ? h - 2 : h + 1; }
+  static Halfedge slot(Halfedge h) { return h - (h >> 2); } ///< 3f, 3f + 1 or 3f + 2: no place is left out
 
   std::vector<Vertex> sources_;
   std::vector<Halfedge> opposites_;

@@ -52,9 +52,14 @@ public:
     for(int round = 0; round < options_.number_of_iterations; ++round)
     {
       const Spider_frame<Scalar> frame(estimate.normal, site.reference);
-      const Spider_fit<Scalar> fit = fit_spider(site, frame, radius, estimate);
-      if(!fit.determined)
-        break;
+      Spider_extent<Scalar> extent;
+      const Spider_fit<Scalar> fit = fit_(view_, site, frame, radius, extent);
+      if(round == 0)
+        estimate.coverage = extent.reached / (2 * options_.number_of_directions_at(radius));
+      if(!fit.determined || (Fit::rests_at_best_fit && !(fit.residual * radius < estimate.residual) && round > 0))
+        break; // the last round's answer stays
+      estimate.coverage = extent.reached / (2 * options_.number_of_directions_at(radius));
+      estimate.status = extent.is_complete ? ok : partial;
       const Vec3<Scalar> previous = estimate.normal;
       take(fit, frame, radius, estimate);
       if(angle_between(previous, estimate.normal) <= options_.convergence_angle)
@@ -64,19 +69,6 @@ public:
   }
 
 private:
-  /// grows a spider and fits it; notes its coverage and status in `estimate`.
-  Spider_fit<Scalar>
-  fit_spider(const Site<View>& site, const Spider_frame<Scalar>& frame, Scalar radius, Estimate<Scalar>& estimate)
-  {
-    Spider_extent<Scalar> extent;
-    const Spider_fit<Scalar> fit = fit_(view_, site, frame, radius, extent);
-    if(fit.determined || estimate.status == insufficient) // a later round that fails leaves the last one's answer
-      estimate.coverage = extent.reached / (2 * options_.number_of_directions_at(radius));
-    if(fit.determined)
-      estimate.status = extent.is_complete ? ok : partial;
-    return fit;
-  }
-
   static void
   take(const Spider_fit<Scalar>& fit, const Spider_frame<Scalar>& frame, Scalar radius, Estimate<Scalar>& estimate)
   {

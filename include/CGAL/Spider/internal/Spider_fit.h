@@ -21,11 +21,10 @@ struct Spider_extent
   Scalar reached = 0;      ///< by all limbs together, in units of the radius
   bool is_complete = true; ///< all limbs reached the radius
 
-  template <typename View>
-  void add(const Walk_result<View>& walk)
+  void add(Scalar reached_by_limb, Limb_end end)
   {
-    reached += walk.reached;
-    is_complete = is_complete && walk.end == radius_reached;
+    reached += reached_by_limb;
+    is_complete = is_complete && end == radius_reached;
   }
 };
 

@@ -78,7 +78,7 @@ auto build_limb(const Inputs& inputs,
 
   Vec3<Scalar> last = query.site.point;
   Scalar length = 0, kept_length = 0;
-  const Cut<Scalar> cut(query.site.point, direction, normal, query.radius);
+  const Cut<Scalar> cut(Local_coordinates<Scalar>(query.site.point, {normal, direction}, query.radius), 1, 0);
   const Walk_result<View> walk = walk_limb(inputs.view, query.site, cut, inputs.options.limb_measure, [&](const Step<View>& step) {
     Vec3<Scalar> crossing = query.site.point;
     if(step.exit != nullptr)

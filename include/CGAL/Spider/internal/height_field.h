@@ -23,42 +23,62 @@ constexpr int number_of_monomials(int degree)
   return (degree + 1) * (degree + 2) / 2;
 }
 
-/// The place of x^p y^q in the order 1, x, y, x^2, xy, y^2, x^3, ...
-constexpr int monomial(int p, int q)
-{
-  return number_of_monomials(p + q - 1) + q;
-}
-
-/// The terms of a height field z(x, y): the monomials up to a degree, which are fitted, and behind them the quartic
-/// terms that these neglect at the expense of the second derivatives. On a disc those are the ones that turn with the
-/// angle as x^2 + y^2, x^2 - y^2 and 2xy do; what turns otherwise is orthogonal to them.
+/// The terms of a height field z(x, y), in this order:
+/// - the linear ones, 1, x and y;
+/// - the curved ones: the quadratic ones by how they turn with the angle, x^2 + y^2, x^2 - y^2 and 2xy, and the monomials
+///   x^3, x^2 y, ... up to the degree;
+/// - behind these, which are fitted, the quartic terms that they neglect at the expense of the quadratic ones. On a disc
+///   those are the ones that turn with the angle as the quadratic ones do; what turns otherwise is orthogonal to them.
 template <int Degree>
 struct Height_field_basis
 {
+  static constexpr int linear = 3;
   static constexpr int fitted = number_of_monomials(Degree);
+  static constexpr int curved = fitted - linear;
   static constexpr int neglected = Degree < 4 ? 3 : 0;
   static constexpr int size = fitted + neglected;
+  enum { constant, x_term, y_term, isotropic, difference, mixed };
 
-  template <typename Scalar>
-  static std::array<Scalar, size> at(Scalar x, Scalar y)
+  /// The degree of the linear and of the neglected terms.
+  static constexpr int degree(int term) { return term >= fitted ? 4 : term > constant ? 1 : 0; }
+
+  /// returns the curved terms at a point. `Value` is a number, or several numbers in lanes.
+  template <typename Value>
+  static std::array<Value, curved> curved_at(const Value& x, const Value& y)
   {
-    std::array<Scalar, size> row;
-    row[0] = 1;
-    for(int degree = 1, i = 1; degree <= Degree; ++degree)
+    const Value xx = x * x, yy = y * y, xy = x * y;
+    std::array<Value, curved> terms;
+    terms[isotropic - linear] = xx + yy;
+    terms[difference - linear] = xx - yy;
+    terms[mixed - linear] = xy + xy;
+    if constexpr(Degree > 2)
     {
-      for(int q = 0; q < degree; ++q, ++i)
-        row[i] = x * row[i - degree];
-      row[i] = y * row[i - degree - 1];
-      ++i;
+      std::array<Value, Degree + 1> power = {xx, xy, yy}; // all monomials of one degree
+      for(int degree = 3, i = 3; degree <= Degree; ++degree)
+      {
+        power[degree] = y * power[degree - 1];
+        for(int q = degree; q-- > 0;)
+          power[q] = x * power[q];
+        for(int q = 0; q <= degree; ++q)
+          terms[i++] = power[q];
+      }
     }
-    if constexpr(neglected > 0)
+    return terms;
+  }
+
+  /// returns the factor by which a linear or neglected term depends on the direction with the given cosine and sine; the
+  /// other one is a power of the distance.
+  template <typename Value>
+  static Value turning(int term, const Value& cosine, const Value& sine)
+  {
+    switch(term < fitted ? term : term - fitted + isotropic)
     {
-      const Scalar squared_distance = x * x + y * y;
-      row[fitted] = squared_distance * squared_distance;
-      row[fitted + 1] = squared_distance * (x * x - y * y);
-      row[fitted + 2] = squared_distance * 2 * x * y;
+      case x_term: return cosine;
+      case y_term: return sine;
+      case difference: return cosine * cosine - sine * sine;
+      case mixed: return cosine * sine + cosine * sine;
+      default: return Value(1);
     }
-    return row;
   }
 };
 

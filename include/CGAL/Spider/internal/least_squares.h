@@ -2,8 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Small weighted least squares. Sums run over arrays of fixed size in plain loops, which compilers turn into vector
-// code; what is done once for each fit is in Eigen's matrices of dynamic size, of which one instance serves all sizes.
+// Small weighted least squares.
 
 #ifndef CGAL_SPIDER_INTERNAL_LEAST_SQUARES_H
 #define CGAL_SPIDER_INTERNAL_LEAST_SQUARES_H
@@ -21,47 +20,30 @@ namespace CGAL {
 namespace Spider {
 namespace internal {
 
-/// The most terms that a fit has: a quartic in two variables.
-constexpr int most_terms = 15;
+/// The most terms of a section's polynomial, a quartic.
+constexpr int most_terms = 5;
 
 template <typename Scalar>
 using Small_matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic, 0, most_terms, most_terms>;
 template <typename Scalar>
 using Small_vector = Eigen::Matrix<Scalar, Eigen::Dynamic, 1, 0, most_terms, 1>;
 
-/// The normal equations of a model that is linear in `Size` terms: sums over rows of terms and the values there.
-template <typename Scalar, std::size_t Size>
+/// The normal equations of a model that is linear in `Size` terms, of which the first is constant: sums over rows of terms
+/// and the values there. `Value` is a number, or several numbers in lanes.
+template <typename Value, int Size>
 struct Normal_equations
 {
-  using Row = std::array<Scalar, Size>;
+  using Row = std::array<Value, Size>;
 
-  std::array<Row, Size> matrix{};
-  Row right_side{};
-  Scalar squared_values = 0, weights = 0;
+  std::array<Row, Size> matrix; ///< its lower triangle
+  Row right_side;
+  Value squared_values;
 
-  void add(const Row& row, Scalar value, Scalar weight)
+  /// starts without any row.
+  Normal_equations() : squared_values(0)
   {
-    for(std::size_t i = 0; i < Size; ++i)
-    {
-      const Scalar weighted = weight * row[i];
-      for(std::size_t k = 0; k < Size; ++k)
-        matrix[i][k] += weighted * row[k];
-      right_side[i] += weighted * value;
-    }
-    squared_values += weight * value * value;
-    weights += weight;
-  }
-
-  void add(const Normal_equations& other, Scalar factor)
-  {
-    for(std::size_t i = 0; i < Size; ++i)
-    {
-      for(std::size_t k = 0; k < Size; ++k)
-        matrix[i][k] += factor * other.matrix[i][k];
-      right_side[i] += factor * other.right_side[i];
-    }
-    squared_values += factor * other.squared_values;
-    weights += factor * other.weights;
+    right_side.fill(Value(0));
+    matrix.fill(right_side);
   }
 };
 
@@ -88,75 +70,104 @@ Scalar proven_share(Scalar mean_square, Scalar mean_square_of_noise)
                                                         : Scalar(0);
 }
 
-template <typename Scalar>
+template <typename Scalar, int Size>
 struct Least_squares_fit
 {
-  Small_vector<Scalar> coefficients; ///< of the fitted terms
-  Scalar residual;                   ///< root mean square
+  std::array<Scalar, Size> coefficients; ///< 0 of terms that the rows don't determine
+  std::array<bool, Size> determined;
+  Scalar residual;                       ///< root mean square
 };
 
-/// `solve()` on equations whose terms were scaled to a unit diagonal.
-template <typename Scalar>
-std::optional<Least_squares_fit<Scalar>> solve_scaled(const Small_matrix<Scalar>& matrix,
-                                                      const Small_vector<Scalar>& right_side,
-                                                      const Small_vector<Scalar>& scale,
-                                                      int fitted,
-                                                      Scalar squared_values,
-                                                      Scalar weights,
-                                                      Scalar independent_values)
+/// The Cholesky factorization of normal equations whose terms were scaled to a unit diagonal. A pivot is the share of a
+/// term that the terms before it don't explain: a term of which less is left than its least pivot is left out.
+template <typename Scalar, int Size>
+struct Cholesky
 {
-  constexpr Scalar least_pivot = Scalar(1e-8), least_pivot_of_neglected = Scalar(1e-4);
-  const int neglected = static_cast<int>(matrix.rows()) - fitted;
-  const auto factorization = factorize<Scalar>(matrix.topLeftCorner(fitted, fitted), least_pivot);
-  if(!factorization)
-    return std::nullopt;
-  Small_vector<Scalar> x = factorization->solve(right_side.head(fitted));
-  Scalar squared_residuals = squared_values - x.dot(right_side.head(fitted));
+  std::array<std::array<Scalar, Size>, Size> lower;
+  std::array<Scalar, Size> inverse; ///< of the diagonal, 0 for terms that are left out
 
-  if(neglected > 0)
+  template <typename LeastPivot>
+  Cholesky(const std::array<std::array<Scalar, Size>, Size>& matrix,
+           const std::array<Scalar, Size>& scale,
+           const LeastPivot& least_pivot)
   {
-    // What is left of the neglected terms, and of the values, when the fitted terms are taken out of them.
-    const Small_matrix<Scalar> coupling = matrix.topRightCorner(fitted, neglected);
-    const Small_matrix<Scalar> effect = factorization->solve(coupling);
-    Small_matrix<Scalar> left = matrix.bottomRightCorner(neglected, neglected);
-    left -= coupling.transpose().lazyProduct(effect);
-    Small_vector<Scalar> left_values = right_side.tail(neglected);
-    left_values -= coupling.transpose().lazyProduct(x);
-    if(const auto left_factorization = factorize<Scalar>(left, least_pivot_of_neglected))
+    for(int i = 0; i < Size; ++i)
     {
-      const Small_vector<Scalar> amount = left_factorization->solve(left_values);
-      const Scalar explained = amount.dot(left_values);
-      const Scalar unexplained = std::max(squared_residuals - explained, Scalar(0));
-      const Scalar share = proven_share(explained / neglected, unexplained / independent_values);
-      x -= share * effect.lazyProduct(amount);
-      squared_residuals -= share * (2 - share) * explained;
+      Scalar pivot = matrix[i][i] * scale[i] * scale[i];
+      for(int k = 0; k < i; ++k)
+      {
+        Scalar left = matrix[i][k] * scale[i] * scale[k];
+        for(int j = 0; j < k; ++j)
+          left -= lower[i][j] * lower[k][j];
+        lower[i][k] = left * inverse[k];
+        pivot -= lower[i][k] * lower[i][k];
+      }
+      inverse[i] = pivot > least_pivot(i) ? 1 / std::sqrt(pivot) : Scalar(0);
     }
   }
-  if(!x.allFinite())
-    return std::nullopt;
-  return Least_squares_fit<Scalar>{scale.head(fitted).cwiseProduct(x),
-                                   std::sqrt(std::max(squared_residuals, Scalar(0)) / weights)};
-}
 
-/// fits the first `fitted` terms. The others are terms that these neglect: their effect on the fitted ones is taken back
-/// as far as the values prove it. `independent_values` is the number of values in which noise is independent.
-/// None if the rows don't determine the fitted terms.
-template <typename Scalar, std::size_t Size>
-std::optional<Least_squares_fit<Scalar>>
-solve(const Normal_equations<Scalar, Size>& equations, int fitted, Scalar independent_values)
-{
-  Small_matrix<Scalar> matrix(Size, Size);
-  Small_vector<Scalar> scale(Size), right_side(Size);
-  for(std::size_t i = 0; i < Size; ++i)
-    scale[i] = 1 / std::sqrt(equations.matrix[i][i]);
-  for(std::size_t i = 0; i < Size; ++i)
+  void substitute_forward(std::array<Scalar, Size>& x) const
   {
-    for(std::size_t k = 0; k < Size; ++k)
-      matrix(i, k) = scale[i] * equations.matrix[i][k] * scale[k];
-    right_side[i] = scale[i] * equations.right_side[i];
+    for(int i = 0; i < Size; ++i)
+    {
+      for(int j = 0; j < i; ++j)
+        x[i] -= lower[i][j] * x[j];
+      x[i] *= inverse[i];
+    }
   }
-  return solve_scaled<Scalar>(matrix, right_side, scale, fitted, equations.squared_values, equations.weights,
-                              independent_values);
+
+  void substitute_backward(std::array<Scalar, Size>& x) const
+  {
+    for(int i = Size; i-- > 0;)
+    {
+      for(int j = i + 1; j < Size; ++j)
+        x[i] -= lower[j][i] * x[j];
+      x[i] *= inverse[i];
+    }
+  }
+};
+
+/// fits the first `Fitted` terms. The others are terms that these neglect: their effect on the fitted ones is taken back
+/// as far as the values prove it. `independent_values` is the number of values in which noise is independent.
+template <int Fitted, typename Scalar, int Size>
+Least_squares_fit<Scalar, Size> solve(const Normal_equations<Scalar, Size>& equations, Scalar independent_values)
+{
+  constexpr Scalar least_pivot = Scalar(1e-8), least_pivot_of_neglected = Scalar(1e-4);
+  std::array<Scalar, Size> scale, x;
+  for(int i = 0; i < Size; ++i)
+  {
+    scale[i] = equations.matrix[i][i] > 0 ? 1 / std::sqrt(equations.matrix[i][i]) : Scalar(0);
+    x[i] = scale[i] * equations.right_side[i];
+  }
+  const Cholesky<Scalar, Size> cholesky(equations.matrix, scale, [&](int i) {
+    return i < Fitted ? least_pivot : least_pivot_of_neglected;
+  });
+
+  // In the coordinates that forward substitution leads to, terms are orthonormal: each explains its square.
+  cholesky.substitute_forward(x);
+  Scalar unexplained = equations.squared_values, explained_by_neglected = 0;
+  for(int i = 0; i < Fitted; ++i)
+    unexplained -= x[i] * x[i];
+  for(int i = Fitted; i < Size; ++i)
+    explained_by_neglected += x[i] * x[i];
+  if constexpr(Size > Fitted)
+  {
+    const Scalar noise = std::max(unexplained - explained_by_neglected, Scalar(0)) / independent_values;
+    const Scalar share = proven_share(explained_by_neglected / (Size - Fitted), noise);
+    for(int i = Fitted; i < Size; ++i)
+      x[i] *= share;
+    unexplained -= share * (2 - share) * explained_by_neglected;
+  }
+  cholesky.substitute_backward(x);
+
+  Least_squares_fit<Scalar, Size> fit;
+  for(int i = 0; i < Size; ++i)
+  {
+    fit.coefficients[i] = scale[i] * x[i];
+    fit.determined[i] = cholesky.inverse[i] > 0 && std::isfinite(fit.coefficients[i]);
+  }
+  fit.residual = std::sqrt(std::max(unexplained, Scalar(0)) / equations.matrix[0][0]);
+  return fit;
 }
 
 } // namespace internal

@@ -26,9 +26,8 @@ namespace internal {
 template <typename View>
 void sample_direction(const View& view,
                       const Site<View>& site,
-                      const Vec3<typename View::Scalar>& direction,
-                      const Vec3<typename View::Scalar>& normal,
-                      typename View::Scalar radius,
+                      const Local_coordinates<typename View::Scalar>& local,
+                      typename View::Scalar angle,
                       const Options<typename View::Scalar>& options,
                       std::vector<Sample<typename View::Scalar>>& samples,
                       Spider_extent<typename View::Scalar>& extent)
@@ -37,8 +36,10 @@ void sample_direction(const View& view,
   samples.clear();
   for(int sign : {1, -1})
   {
-    const Cut<Scalar> cut(site.point, Vec3<Scalar>(Scalar(sign) * direction), normal, radius);
-    extent.add(sample_limb(view, site, cut, options.limb_measure, options.resampling_step, sign, samples));
+    const Cut<Scalar> cut(local, sign * std::cos(angle), sign * std::sin(angle));
+    const Walk_result<View> walk =
+      sample_limb(view, site, cut, options.limb_measure, options.resampling_step, sign, samples);
+    extent.add(walk.reached, walk.end);
   }
 }
 
@@ -174,6 +175,8 @@ class Section_fit
   using Scalar = typename View::Scalar;
 
 public:
+  static constexpr bool rests_at_best_fit = false; ///< but where the normal does (paper, 2.4)
+
   explicit Section_fit(const Options<Scalar>& options) : options_(options) {}
 
   /// grows a spider and fits it.
@@ -185,10 +188,10 @@ public:
   {
     const int count = options_.number_of_directions_at(radius);
     sections_.clear();
+    const Local_coordinates<Scalar> local(site.point, frame, radius);
     for(int i = 0; i < count; ++i)
     {
-      const Vec3<Scalar> direction = frame.direction(angle_of_direction<Scalar>(i, count));
-      sample_direction(view, site, direction, frame.normal, radius, options_, samples_, extent);
+      sample_direction(view, site, local, angle_of_direction<Scalar>(i, count), options_, samples_, extent);
       sections_.push_back(fit_section(samples_, options_.polynomial_degree));
     }
     return fit_principal_pair(sections_);

@@ -17,10 +17,12 @@
 #ifndef CGAL_SPIDER_INTERNAL_SURFACE_FIT_H
 #define CGAL_SPIDER_INTERNAL_SURFACE_FIT_H
 
+#include <CGAL/Spider/internal/Limb_bundle.h>
+#include <CGAL/Spider/internal/Limb_moments.h>
 #include <CGAL/Spider/internal/Options.h>
-#include <CGAL/Spider/internal/Samples.h>
 #include <CGAL/Spider/internal/Spider_fit.h>
 #include <CGAL/Spider/internal/Spider_frame.h>
+#include <CGAL/Spider/internal/Star.h>
 #include <CGAL/Spider/internal/height_field.h>
 #include <CGAL/Spider/internal/least_squares.h>
 
@@ -28,10 +30,34 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <vector>
 
 namespace CGAL {
 namespace Spider {
 namespace internal {
+
+/// The directions of all limbs of a spider, a bundle at a time.
+template <typename Scalar>
+struct Limb_directions
+{
+  int number_of_limbs = 0;
+  std::vector<Lanes<Scalar>> cosines, sines;
+
+  void set(int number_of_directions)
+  {
+    if(number_of_limbs == 2 * number_of_directions)
+      return;
+    number_of_limbs = 2 * number_of_directions;
+    cosines.assign((number_of_limbs + number_of_lanes - 1) / number_of_lanes, Lanes<Scalar>(1));
+    sines.assign(cosines.size(), Lanes<Scalar>(0));
+    for(int i = 0; i < number_of_limbs; ++i)
+    {
+      const Scalar angle = angle_of_direction<Scalar>(i, number_of_directions);
+      cosines[i / number_of_lanes].set(i % number_of_lanes, std::cos(angle));
+      sines[i / number_of_lanes].set(i % number_of_lanes, std::sin(angle));
+    }
+  }
+};
 
 /// `surface_fit` by a height field of the given degree.
 template <typename View, int Degree>
@@ -39,15 +65,16 @@ class Surface_fit
 {
   using Scalar = typename View::Scalar;
   using Basis = Height_field_basis<Degree>;
-  using Equations = Normal_equations<Scalar, Basis::size>;
-  using Row = typename Equations::Row;
+  using Values = Lanes<Scalar>;
+  using Moments = Limb_moments<Scalar, Degree>;
+  using Functions = typename Moments::Functions;
 
 public:
-  explicit Surface_fit(const Options<Scalar>& options)
-    : options_(options),
-      inner_samples_(static_cast<std::size_t>(std::ceil(1 / options.resampling_step - rounding())) - 1)
-  {
-  }
+  /// A surface that isn't a height field, such as that around a sharp ridge, has several normals from which the next
+  /// round leads elsewhere: the iteration rests when the fit doesn't get better.
+  static constexpr bool rests_at_best_fit = true;
+
+  explicit Surface_fit(const Options<Scalar>& options) : options_(options) {}
 
   /// grows a spider and fits it.
   Spider_fit<Scalar> operator()(const View& view,
@@ -56,134 +83,143 @@ public:
                                 Scalar radius,
                                 Spider_extent<Scalar>& extent)
   {
-    const int count = options_.number_of_directions_at(radius);
-    equations_ = rim_ = Equations();
-    crossings_ = 0;
-    const Row origin = origin_row(view, site, frame, radius);
-    for(int i = 0; i < 2 * count; ++i)
-      extent.add(add_limb(view, site, frame, angle_of_direction<Scalar>(i, count), radius, origin));
+    directions_.set(options_.number_of_directions_at(radius));
+    const Star<View> star(view, site, Local_coordinates<Scalar>(site.point, frame, radius));
+    const Functions origin = functions_at_origin(view, site, star.local);
+    bundles_.resize(directions_.cosines.size());
+    Scalar number_of_segments = 0;
+    for(std::size_t i = 0; i < bundles_.size(); ++i)
+    {
+      const int count = std::min(directions_.number_of_limbs - static_cast<int>(i) * number_of_lanes, number_of_lanes);
+      Limb_bundle<View> limbs(view, site, star, directions_.cosines[i], directions_.sines[i], count,
+                              options_.limb_measure);
+      number_of_segments += sample(limbs, origin, bundles_[i]);
+      for(int limb = 0; limb < count; ++limb)
+        extent.add(limbs.reached(limb), limbs.end(limb));
+    }
     if(!(extent.reached > 0))
       return {};
 
-    const Scalar crossings_per_radius = crossings_ / extent.reached;
-    equations_.add(rim_, additional_rim_weight(crossings_per_radius));
-    const auto field = solve(equations_, Basis::fitted, vertices_in_disc(crossings_per_radius));
-    if(!field)
-      return {};
-    const auto& c = field->coefficients;
-    Spider_fit<Scalar> fit = principal_curvatures_of_graph<Scalar>(
-      c[monomial(1, 0)], c[monomial(0, 1)], 2 * c[monomial(2, 0)], c[monomial(1, 1)], 2 * c[monomial(0, 2)]);
-    fit.residual = field->residual;
-    return fit;
+    const Scalar length_of_segments = extent.reached / number_of_segments;
+    const Values rim_weight(weight_of_rim(length_of_segments));
+    Normal_equations<Values, Basis::size> equations;
+    for(std::size_t i = 0; i < bundles_.size(); ++i)
+    {
+      Bundle& bundle = bundles_[i];
+      bundle.moments.add(bundle.end, bundle.functions_at_end, bundle.is_complete * rim_weight);
+      bundle.moments.add_to(equations, directions_.cosines[i], directions_.sines[i]);
+    }
+    return fit(sum_of_lanes(equations), vertices_in_disc(length_of_segments));
   }
 
 private:
-  static constexpr Scalar rounding() { return Scalar(1e-9); }
+  struct Bundle
+  {
+    Moments moments;
+    Functions functions_at_end;
+    Values end; ///< how far along their directions limbs got
+    Values is_complete;
+  };
 
   /// On average over its directions a line crosses 2 / pi edges per length and length of edges per area (Crofton), and
   /// equilateral triangles have edges of the length 2 sqrt(3) per area and edge length.
-  static constexpr Scalar crossings_per_edge_length() { return Scalar(2.2); }
+  static constexpr Scalar segments_per_edge_length() { return Scalar(2.2); }
 
-  /// Beyond the rim, noise is that of the samples at the rim for about 0.8 edge lengths: measured, as the weight at
+  /// A segment at the distance y from the query point stands for an area, in proportion to y. Long ones tell more than
+  /// short ones, but less than by their length, since they see the same few vertices: they count by its root.
+  ///
+  /// Beyond the rim, noise is that of the samples at the rim for about an edge length: measured, as the weight at
   /// which the variance of curvature is least, on meshes with noise of all tessellations. A spider that is smaller than
   /// an edge doesn't know what is beyond; there the rim stands for no more than the radius.
-  Scalar additional_rim_weight(Scalar crossings_per_radius) const
+  static Scalar weight_of_rim(Scalar length_of_segments)
   {
-    constexpr Scalar edge_lengths = Scalar(0.8);
-    const Scalar radii = edge_lengths * crossings_per_edge_length() / crossings_per_radius;
-    return std::min(radii, Scalar(1)) / options_.resampling_step;
+    return segments_per_edge_length() * std::sqrt(std::min(length_of_segments, 1 / segments_per_edge_length()));
   }
 
   /// A disc of the radius holds 2 pi / sqrt(3) vertices per square of the edge length.
-  static Scalar vertices_in_disc(Scalar crossings_per_radius)
+  static Scalar vertices_in_disc(Scalar length_of_segments)
   {
     constexpr Scalar per_square = Scalar(3.63);
-    const Scalar radius_in_edge_lengths = crossings_per_radius / crossings_per_edge_length();
-    return per_square * radius_in_edge_lengths * radius_in_edge_lengths;
+    const Scalar edge_length = segments_per_edge_length() * length_of_segments;
+    return per_square / (edge_length * edge_length);
   }
 
-  /// returns the terms at the query point, interpolated from the vertices that it lies between.
-  static Row
-  origin_row(const View& view, const Site<View>& site, const Spider_frame<Scalar>& frame, Scalar radius)
+  /// returns the terms at the query point, interpolated from the vertices that it lies between, and its height, 0.
+  static Functions functions_at_origin(const View& view, const Site<View>& site, const Local_coordinates<Scalar>& local)
   {
-    Row row{};
+    Functions functions;
+    functions.fill(Values(0));
     for(int i = 0; i < 3; ++i)
     {
       if(!(site.weights[i] > 0))
         continue;
-      const Vec3<Scalar> a = (view.point(site.vertices[i]) - site.point) / radius;
-      const Row at_vertex = Basis::at(a.dot(frame.tangent), a.dot(frame.bitangent));
-      for(std::size_t k = 0; k < row.size(); ++k)
-        row[k] += site.weights[i] * at_vertex[k];
+      const Vec3<Scalar> a = local(view.point(site.vertices[i]));
+      const auto at_vertex = Basis::curved_at(a.x(), a.y());
+      for(int k = 0; k < Basis::curved; ++k)
+        functions[k] = functions[k] + Values(site.weights[i] * at_vertex[k]);
     }
-    return row;
+    return functions;
   }
 
-  /// A sample, with the terms of the height field there.
-  struct Term_sample
+  static Values between(const Values& from, const Values& to, const Values& share) { return from + share * (to - from); }
+
+  /// walks limbs, with a sample in the middle of each of their segments; returns how many segments they have.
+  static Scalar sample(Limb_bundle<View>& limbs, const Functions& origin, Bundle& bundle)
   {
-    Row row;
-    Scalar y, z;
-
-    /// interpolates on the segment to `other`, heights and terms alike.
-    Term_sample towards(const Term_sample& other, Scalar share) const
-    {
-      return {between(row, other.row, share), y + share * (other.y - y), z + share * (other.z - z)};
-    }
-  };
-
-  static Row between(const Row& from, const Row& to, Scalar share)
-  {
-    Row row;
-    for(std::size_t k = 0; k < row.size(); ++k)
-      row[k] = from[k] + share * (to[k] - from[k]);
-    return row;
-  }
-
-  /// walks a limb and adds its samples, at regular measure and at its end.
-  Walk_result<View> add_limb(const View& view,
-                             const Site<View>& site,
-                             const Spider_frame<Scalar>& frame,
-                             Scalar angle,
-                             Scalar radius,
-                             const Row& origin)
-  {
-    const Scalar c = std::cos(angle), s = std::sin(angle);
-    const Cut<Scalar> cut(site.point, frame.direction(angle), frame.normal, radius);
-    const auto terms_at = [&](const Cut_point<Scalar>& a) {
-      return Basis::at(a.y * c - a.side * s, a.y * s + a.side * c);
-    };
-
-    Term_sample from{origin, 0, 0}, end = from; // the end is where most was reached: a limb may turn back
-    Scalar reached = 0;
-    std::size_t taken = 0;
-    const Walk_result<View> walk = walk_limb(view, site, cut, options_.limb_measure, [&](const Step<View>& step) {
-      const Row crossing =
-        step.exit ? between(terms_at(step.exit->source), terms_at(step.exit->target), step.crossing) : origin;
-      const Term_sample to{between(from.row, crossing, step.share), step.y, step.z};
-      sample_segment(step.from, step.to, options_.resampling_step, inner_samples_, taken, [&](Scalar share) {
-        const Term_sample sample = from.towards(to, share);
-        equations_.add(sample.row, sample.z, std::abs(sample.y));
-      });
-      crossings_ += step.share;
-      from = to;
-      if(step.to >= reached)
+    Moments& moments = bundle.moments;
+    moments.clear();
+    Functions& at = bundle.functions_at_end;
+    at = origin;
+    Values segments(0);
+    limbs.walk([&](const Segments<Scalar>& next) {
+      const auto source = Basis::curved_at(next.source.x, next.source.y);
+      const auto target = Basis::curved_at(next.target.x, next.target.y);
+      Functions middle;
+      for(int k = 0; k <= Basis::curved; ++k)
       {
-        reached = step.to;
-        end = to;
+        const Values crossing = k < Basis::curved ? between(source[k], target[k], next.crossing)
+                                                  : between(next.source.z, next.target.z, next.crossing);
+        middle[k] = between(at[k], crossing, next.middle_share);
+        at[k] = between(at[k], crossing, next.share);
       }
+      moments.add(next.middle, middle, next.middle * square_root(next.gain));
+      segments = segments + next.share;
     });
-    if(reached - Scalar(taken) * options_.resampling_step > rounding())
-      equations_.add(end.row, end.z, std::abs(end.y));
-    if(walk.end == radius_reached)
-      rim_.add(end.row, end.z, std::abs(end.y));
-    return walk;
+    bundle.end = limbs.end_along_direction();
+    bundle.is_complete = limbs.is_complete();
+    return segments.sum();
+  }
+
+  static Normal_equations<Scalar, Basis::size> sum_of_lanes(const Normal_equations<Values, Basis::size>& equations)
+  {
+    Normal_equations<Scalar, Basis::size> sum;
+    for(int i = 0; i < Basis::size; ++i)
+    {
+      for(int k = 0; k <= i; ++k)
+        sum.matrix[i][k] = equations.matrix[i][k].sum();
+      sum.right_side[i] = equations.right_side[i].sum();
+    }
+    sum.squared_values = equations.squared_values.sum();
+    return sum;
+  }
+
+  static Spider_fit<Scalar> fit(const Normal_equations<Scalar, Basis::size>& equations, Scalar independent_values)
+  {
+    const auto field = solve<Basis::fitted>(equations, independent_values);
+    for(int i = 0; i < number_of_monomials(2); ++i)
+      if(!field.determined[i])
+        return {};
+    const auto& c = field.coefficients;
+    Spider_fit<Scalar> fit = principal_curvatures_of_graph<Scalar>(
+      c[Basis::x_term], c[Basis::y_term], 2 * (c[Basis::isotropic] + c[Basis::difference]), 2 * c[Basis::mixed],
+      2 * (c[Basis::isotropic] - c[Basis::difference]));
+    fit.residual = field.residual;
+    return fit;
   }
 
   const Options<Scalar>& options_;
-  std::size_t inner_samples_; ///< of a limb, its end not among them
-  Equations equations_, rim_;
-  Scalar crossings_ = 0;
+  Limb_directions<Scalar> directions_;
+  std::vector<Bundle> bundles_;
 };
 
 } // namespace internal

@@ -44,7 +44,7 @@ struct Walk_result
 };
 
 /// A limb that makes no headway, since it climbs a wall, is given up when it is as many radii long.
-constexpr int longest_limb_in_radii = 4;
+constexpr int longest_limb_in_radii = 2;
 
 /// Follows a limb segment by segment, and cuts it where it reaches the radius by its measure.
 template <typename View>
@@ -93,12 +93,7 @@ Walk_result<View> walk_limb(const View& view,
                             Visitor&& visit)
 {
   using Scalar = typename View::Scalar;
-  Exit<View> exit = first_exit(view, site, cut);
-  if(!exit.exists())
-  {
-    cut.count_vertices_on_the_plane_as_right();
-    exit = first_exit(view, site, cut);
-  }
+  Exit<View> exit = first_exit_either_way(view, site, cut);
   if(!exit.exists())
     return {site.on_border ? border : degenerate};
 
