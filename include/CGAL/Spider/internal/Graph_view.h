@@ -83,6 +83,25 @@ public:
     return CGAL::is_border(o, tmesh_) ? null_halfedge() : o;
   }
 
+  /// Beyond an edge: where that is the face across, its apex and the halfedge that starts there; else NaN.
+  struct Beyond
+  {
+    Vec3<Scalar> apex;
+    Halfedge third;
+  };
+
+  Beyond beyond(Halfedge h) const
+  {
+    const Halfedge across = opposite(h);
+    if(across == null_halfedge())
+      return {nan_vec3<Scalar>(), h};
+    const Halfedge third = other_edges(across).second;
+    return {point(source(third)), third};
+  }
+
+  /// returns the halfedge that leads to the start of another one in its triangle.
+  Halfedge preceding(Halfedge h) const { return prev(h, tmesh_); }
+
   /// returns the second and the third edge of the triangle at whose first edge `h` is.
   std::pair<Halfedge, Halfedge> other_edges(Halfedge h) const
   {

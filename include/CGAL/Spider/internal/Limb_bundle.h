@@ -214,55 +214,61 @@ private:
   /// crosses edges into the next faces and finds the edges by which the planes leave those.
   void cross_edges()
   {
-    Lanes_of_halfedges from_source, to_target;
-    std::array<Scalar, number_of_lanes> stays, x, y, z;
+    Lanes_of_halfedges third;
+    std::array<Scalar, number_of_lanes> x, y, z;
     for(int l = 0; l < number_of_lanes; ++l)
     {
-      const Halfedge across = view_.opposite(edge_[l]);
-      const bool is_border = across == View::null_halfedge();
-      const auto others = view_.other_edges(is_border ? edge_[l] : across);
-      from_source[l] = others.first;
-      to_target[l] = others.second;
-      stays[l] = is_border ? 1 : 0;
-      const Vec3<Scalar>& point = view_.point(view_.source(others.second));
-      x[l] = point.x();
-      y[l] = point.y();
-      z[l] = point.z();
+      const auto beyond = view_.beyond(edge_[l]);
+      third[l] = beyond.third;
+      x[l] = beyond.apex.x();
+      y[l] = beyond.apex.y();
+      z[l] = beyond.apex.z();
     }
     const Lane_points<Scalar> apex = local_({Values(x), Values(y), Values(z)});
     const Values apex_side = side(apex.x, apex.y), zero(0);
-    const Mask leaves = Values(stays) > zero, goes_on = growing_ & !leaves & !closed_ & is_near(apex);
+    const Mask goes_on = growing_ & !closed_ & is_near(apex), stops = growing_ & !goes_on;
     const Mask is_of_source = (source_side_ >= zero) == (apex_side >= zero);
     const Mask at_source = goes_on & is_of_source, at_target = goes_on & !is_of_source;
     replace(source_, source_side_, at_source, apex, apex_side);
     replace(target_, target_side_, at_target, apex, apex_side);
-    const auto moves_source = at_source.values(), moves_target = at_target.values();
+    if(stops.any())
+      note_stops(stops);
+    const auto takes_third = at_source.values(), takes_second = at_target.values();
     int met_again = 0;
     for(int l = 0; l < number_of_lanes; ++l)
     {
-      const Halfedge edge = moves_source[l] ? to_target[l] : moves_target[l] ? from_source[l] : edge_[l];
+      const Halfedge second = view_.preceding(third[l]);
+      const Halfedge edge = takes_third[l] ? third[l] : takes_second[l] ? second : edge_[l];
       met_again += (edge == first_edge_[l]) + (edge == checkpoint_[l]);
       edge_[l] = edge;
     }
-    const Mask stops = growing_ & !goes_on;
-    if(met_again > 0 || stops.any())
-      note_ends(stops, leaves);
+    if(met_again > 0)
+      note_circles();
   }
 
-  /// ends limbs that left the mesh or lost their way. Those that are back at the edge where they began lead to the query
-  /// point, where their sections close.
-  void note_ends(const Mask& stops, const Mask& leaves)
+  /// ends limbs that left the mesh, whose sections are closed, or that lost their way.
+  void note_stops(const Mask& stops)
+  {
+    for(int l = 0; l < number_of_lanes; ++l)
+      if(stops[l])
+        end_[l] = !closed_[l] && view_.opposite(edge_[l]) == View::null_halfedge() ? border : degenerate;
+    growing_ = growing_ & !stops;
+  }
+
+  /// Limbs that are back at the edge where they began lead to the query point, where their sections close. Those that go
+  /// round in circles elsewhere end.
+  void note_circles()
   {
     Values closes(0), ends(0);
     for(int l = 0; l < number_of_lanes; ++l)
     {
       if(!growing_[l])
         continue;
-      if(!stops[l] && edge_[l] == first_edge_[l])
+      if(edge_[l] == first_edge_[l])
         closes.set(l, 1);
-      else if(stops[l] || edge_[l] == checkpoint_[l])
+      else if(edge_[l] == checkpoint_[l])
       {
-        end_[l] = leaves[l] && !closed_[l] ? border : degenerate;
+        end_[l] = degenerate;
         ends.set(l, 1);
       }
     }

@@ -83,7 +83,7 @@ public:
     };
 
     sources_.reserve(3 * faces.size());
-    opposites_.reserve(3 * faces.size());
+    thirds_across_.reserve(3 * faces.size());
     for(std::size_t f = 0; f < faces.size(); ++f)
     {
       const Mesh_halfedge first = view.halfedge(faces[f]);
@@ -91,7 +91,9 @@ public:
       for(Mesh_halfedge h : {first, second, third})
       {
         sources_.push_back(static_cast<Vertex>(vertices(view.source(h))));
-        opposites_.push_back(id(view.opposite(h)));
+        const Mesh_halfedge across = view.opposite(h);
+        thirds_across_.push_back(
+          id(across == boost::graph_traits<TriangleMesh>::null_halfedge() ? across : view.other_edges(across).second));
       }
     }
     points_.reserve(vertices.size());
@@ -113,8 +115,28 @@ public:
   Halfedge halfedge(Face f) const { return 4 * f; }
   Face face(Halfedge h) const { return h / 4; }
   const Vec3<Scalar>& point(Vertex v) const { return points_[v]; }
-  Halfedge opposite(Halfedge h) const { return opposites_[slot(h)]; }
+  Halfedge opposite(Halfedge h) const
+  {
+    const Halfedge third = thirds_across_[slot(h)];
+    return third == null_halfedge() ? third : following(third);
+  }
   Halfedge first_corner(Vertex v) const { return first_corners_[v]; }
+
+  /// Beyond an edge: where that is the face across, its apex and the halfedge that starts there; else NaN.
+  struct Beyond
+  {
+    const Vec3<Scalar>& apex;
+    Halfedge third;
+  };
+
+  Beyond beyond(Halfedge h) const
+  {
+    const Halfedge third = thirds_across_[slot(h)];
+    return third == null_halfedge() ? Beyond{nowhere_, h} : Beyond{points_[sources_[slot(third)]], third};
+  }
+
+  /// returns the halfedge that leads to the start of another one in its triangle.
+  Halfedge preceding(Halfedge h) const { return (h & 3) == 0 ? h + 2 : h - 1; }
 
   std::pair<Halfedge, Halfedge> other_edges(Halfedge h) const
   {
@@ -127,9 +149,10 @@ private:
   static Halfedge slot(Halfedge h) { return h - (h >> 2); } ///< 3f, 3f + 1 or 3f + 2: no place is left out
 
   std::vector<Vertex> sources_;
-  std::vector<Halfedge> opposites_;
+  std::vector<Halfedge> thirds_across_; ///< for each halfedge, the third edge of the face across, which starts at its apex
   std::vector<Halfedge> first_corners_;
   std::vector<Vec3<Scalar>> points_;
+  Vec3<Scalar> nowhere_ = nan_vec3<Scalar>();
 };
 
 } // namespace internal

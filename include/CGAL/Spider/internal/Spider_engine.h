@@ -12,7 +12,8 @@
 #include <CGAL/Spider/internal/section_fit.h>
 #include <CGAL/Spider/internal/surface_fit.h>
 
-#include <vector>
+#include <cmath>
+#include <variant>
 
 namespace CGAL {
 namespace Spider {
@@ -59,7 +60,7 @@ public:
       if(!fit.determined || (Fit::rests_at_best_fit && !(fit.residual * radius < estimate.residual) && round > 0))
         break; // the last round's answer stays
       estimate.coverage = extent.reached / (2 * options_.number_of_directions_at(radius));
-      estimate.status = extent.is_complete ? ok : partial;
+      estimate.status = extent.is_complete && fit.is_whole ? ok : partial;
       const Vec3<Scalar> previous = estimate.normal;
       take(fit, frame, radius, estimate);
       if(angle_between(previous, estimate.normal) <= options_.convergence_angle)
@@ -88,23 +89,42 @@ private:
   Fit fit_;
 };
 
-/// estimates curvature at a site by the estimator that the options name.
+/// The engine of the estimator that the options name.
 template <typename View>
-Estimate<typename View::Scalar> estimate_at(const View& view,
-                                            const Options<typename View::Scalar>& options,
-                                            const Site<View>& site,
-                                            typename View::Scalar radius,
-                                            const Vec3<typename View::Scalar>& first_normal)
+class Estimator_engine
 {
-  if(options.estimator == section_fit)
-    return Spider_engine<View, Section_fit<View>>(view, options)(site, radius, first_normal);
-  switch(options.polynomial_degree)
+  using Scalar = typename View::Scalar;
+
+public:
+  Estimator_engine(const View& view, const Options<Scalar>& options) : engine_(make(view, options)) {}
+
+  Estimate<Scalar> operator()(const Site<View>& site, Scalar radius, const Vec3<Scalar>& first_normal)
   {
-    case 2: return Spider_engine<View, Surface_fit<View, 2>>(view, options)(site, radius, first_normal);
-    case 3: return Spider_engine<View, Surface_fit<View, 3>>(view, options)(site, radius, first_normal);
-    default: return Spider_engine<View, Surface_fit<View, 4>>(view, options)(site, radius, first_normal);
+    return std::visit([&](auto& engine) { return engine(site, radius, first_normal); }, engine_);
   }
-}
+
+private:
+  template <typename Fit>
+  using Of = Spider_engine<View, Fit>;
+  using Engine = std::variant<Of<Section_fit<View>>,
+                              Of<Surface_fit<View, 2>>,
+                              Of<Surface_fit<View, 3>>,
+                              Of<Surface_fit<View, 4>>>;
+
+  static Engine make(const View& view, const Options<Scalar>& options)
+  {
+    if(options.estimator == section_fit)
+      return Of<Section_fit<View>>(view, options);
+    switch(options.polynomial_degree)
+    {
+      case 2: return Of<Surface_fit<View, 2>>(view, options);
+      case 3: return Of<Surface_fit<View, 3>>(view, options);
+      default: return Of<Surface_fit<View, 4>>(view, options);
+    }
+  }
+
+  Engine engine_;
+};
 
 } // namespace internal
 } // namespace Spider

@@ -34,6 +34,7 @@ template <typename Scalar>
 struct Spider_fit
 {
   bool determined = false;
+  bool is_whole = true; ///< no term had to be left out
   Scalar min_curvature = nan<Scalar>(), max_curvature = nan<Scalar>();
   Vec3<Scalar> normal = nan_vec3<Scalar>();        ///< from which the next round starts
   Vec3<Scalar> min_direction = nan_vec3<Scalar>(); ///< orthogonal to `normal`; that of `max_curvature` completes them

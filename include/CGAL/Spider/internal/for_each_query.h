@@ -10,28 +10,39 @@
 
 #include <boost/range/counting_range.hpp>
 
+#include <algorithm>
 #include <cstddef>
+#include <iterator>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Spider {
 namespace internal {
 
-/// calls `store(query, compute(query))` for every query of a range, in order. Only `compute` runs concurrently, so what
-/// `store` writes to needn't be safe to write to from several threads, and the outcome doesn't depend on their number.
-template <typename ConcurrencyTag, typename Range, typename Compute, typename Store>
-void for_each_query(const Range& queries, const Compute& compute, const Store& store)
+/// calls `store(query, answer)` for every query of a range, in order, with the answers of function objects that
+/// `make_worker()` returns. Only these run concurrently, each in one thread at a time and for many queries, so they may
+/// keep buffers; what `store` writes to needn't be safe to write to from several threads, and the outcome doesn't depend
+/// on their number.
+template <typename ConcurrencyTag, typename Range, typename MakeWorker, typename Store>
+void for_each_query(const Range& queries, const MakeWorker& make_worker, const Store& store)
 {
   using Query = std::decay_t<decltype(*std::begin(queries))>;
-  using Result = decltype(compute(std::declval<const Query&>()));
-  constexpr std::size_t block_size = 1 << 13; // large enough to feed any number of threads, and little memory
+  using Result = std::decay_t<decltype(make_worker()(std::declval<const Query&>()))>;
+  constexpr std::size_t chunk_size = 1 << 7;              // many enough to make a worker worth it
+  constexpr std::size_t block_size = chunk_size * 1 << 6; // large enough to feed any number of threads, and little memory
 
   std::vector<Query> block;
   std::vector<Result> results;
   const auto run_block = [&] {
     results.resize(block.size());
-    CGAL::for_each<ConcurrencyTag>(boost::counting_range(std::size_t(0), block.size()), [&](std::size_t i) {
-      results[i] = compute(block[i]);
+    const std::size_t number_of_chunks = (block.size() + chunk_size - 1) / chunk_size;
+    CGAL::for_each<ConcurrencyTag>(boost::counting_range(std::size_t(0), number_of_chunks), [&](std::size_t chunk) {
+      auto&& worker = make_worker();
+      const std::size_t end = std::min((chunk + 1) * chunk_size, block.size());
+      for(std::size_t i = chunk * chunk_size; i < end; ++i)
+        results[i] = worker(block[i]);
       return true;
     });
     for(std::size_t i = 0; i < block.size(); ++i)

@@ -76,6 +76,7 @@ struct Least_squares_fit
   std::array<Scalar, Size> coefficients; ///< 0 of terms that the rows don't determine
   std::array<bool, Size> determined;
   Scalar residual;                       ///< root mean square
+  Scalar share_of_neglected = 0;         ///< how much of the neglected terms' effect was taken back
 };
 
 /// The Cholesky factorization of normal equations whose terms were scaled to a unit diagonal. A pivot is the share of a
@@ -150,6 +151,7 @@ Least_squares_fit<Scalar, Size> solve(const Normal_equations<Scalar, Size>& equa
     unexplained -= x[i] * x[i];
   for(int i = Fitted; i < Size; ++i)
     explained_by_neglected += x[i] * x[i];
+  Least_squares_fit<Scalar, Size> fit;
   if constexpr(Size > Fitted)
   {
     const Scalar noise = std::max(unexplained - explained_by_neglected, Scalar(0)) / independent_values;
@@ -157,10 +159,10 @@ Least_squares_fit<Scalar, Size> solve(const Normal_equations<Scalar, Size>& equa
     for(int i = Fitted; i < Size; ++i)
       x[i] *= share;
     unexplained -= share * (2 - share) * explained_by_neglected;
+    fit.share_of_neglected = share;
   }
   cholesky.substitute_backward(x);
 
-  Least_squares_fit<Scalar, Size> fit;
   for(int i = 0; i < Size; ++i)
   {
     fit.coefficients[i] = scale[i] * x[i];

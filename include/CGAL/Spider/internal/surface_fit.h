@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The estimator that Spider adds to the paper's: one height field z(x, y) fitted to the samples of all limbs at once.
+// The estimator that Spider adds to the paper's: one height field z(x, y) fitted to samples of all limbs at once.
 //
 // - It needn't pass through the query point, which is as noisy as any other, and its gradient is free: curvatures come
 //   from its fundamental forms, so the frame may be tilted.
@@ -13,6 +13,7 @@
 //   along the limb as heights are. A mesh of an exact polynomial of the fitted degree gives that polynomial.
 // - A quadric takes what quartic terms do to the rim for curvature. These terms are estimated too, and their effect is
 //   taken back as far as the samples prove them.
+// - Limbs are walked in lockstep, and their samples only leave sums of powers behind.
 
 #ifndef CGAL_SPIDER_INTERNAL_SURFACE_FIT_H
 #define CGAL_SPIDER_INTERNAL_SURFACE_FIT_H
@@ -100,16 +101,14 @@ public:
     if(!(extent.reached > 0))
       return {};
 
+    // Weight on the rim is against noise. Where neglected terms show, they matter more than noise does, and it is withdrawn.
     const Scalar length_of_segments = extent.reached / number_of_segments;
-    const Values rim_weight(weight_of_rim(length_of_segments));
-    Normal_equations<Values, Basis::size> equations;
-    for(std::size_t i = 0; i < bundles_.size(); ++i)
-    {
-      Bundle& bundle = bundles_[i];
+    const Scalar independent_values = vertices_in_disc(length_of_segments);
+    const auto without_rim = solve<Basis::fitted>(sum_of_bundles(), independent_values);
+    const Values rim_weight = weight_of_rim(length_of_segments) * Values(1 - without_rim.share_of_neglected);
+    for(Bundle& bundle : bundles_)
       bundle.moments.add(bundle.end, bundle.functions_at_end, bundle.is_complete * rim_weight);
-      bundle.moments.add_to(equations, directions_.cosines[i], directions_.sines[i]);
-    }
-    return fit(sum_of_lanes(equations), vertices_in_disc(length_of_segments));
+    return fit(solve<Basis::fitted>(sum_of_bundles(), independent_values), extent.is_complete);
   }
 
 private:
@@ -126,14 +125,20 @@ private:
   static constexpr Scalar segments_per_edge_length() { return Scalar(2.2); }
 
   /// A segment at the distance y from the query point stands for an area, in proportion to y. Long ones tell more than
-  /// short ones, but less than by their length, since they see the same few vertices: they count by its root.
-  ///
+  /// short ones, but less than by their length, since they see the same few vertices: they count by its root. Only those
+  /// below a hundredth of the radius count by their length, lest rounding counts where a limb passes through a vertex.
+  static Values weight_of_length(const Values& length)
+  {
+    return length / square_root(length + Values(Scalar(0.01)));
+  }
+
   /// Beyond the rim, noise is that of the samples at the rim for about an edge length: measured, as the weight at
   /// which the variance of curvature is least, on meshes with noise of all tessellations. A spider that is smaller than
   /// an edge doesn't know what is beyond; there the rim stands for no more than the radius.
-  static Scalar weight_of_rim(Scalar length_of_segments)
+  static Values weight_of_rim(Scalar length_of_segments)
   {
-    return segments_per_edge_length() * std::sqrt(std::min(length_of_segments, 1 / segments_per_edge_length()));
+    const Scalar length = std::min(length_of_segments, 1 / segments_per_edge_length());
+    return Values(segments_per_edge_length()) * weight_of_length(Values(length));
   }
 
   /// A disc of the radius holds 2 pi / sqrt(3) vertices per square of the edge length.
@@ -182,7 +187,7 @@ private:
         middle[k] = between(at[k], crossing, next.middle_share);
         at[k] = between(at[k], crossing, next.share);
       }
-      moments.add(next.middle, middle, next.middle * square_root(next.gain));
+      moments.add(next.middle, middle, next.middle * weight_of_length(next.gain));
       segments = segments + next.share;
     });
     bundle.end = limbs.end_along_direction();
@@ -190,8 +195,12 @@ private:
     return segments.sum();
   }
 
-  static Normal_equations<Scalar, Basis::size> sum_of_lanes(const Normal_equations<Values, Basis::size>& equations)
+  Normal_equations<Scalar, Basis::size> sum_of_bundles() const
   {
+    Normal_equations<Values, Basis::size> equations;
+    for(std::size_t i = 0; i < bundles_.size(); ++i)
+      bundles_[i].moments.add_to(equations, directions_.cosines[i], directions_.sines[i]);
+
     Normal_equations<Scalar, Basis::size> sum;
     for(int i = 0; i < Basis::size; ++i)
     {
@@ -203,16 +212,22 @@ private:
     return sum;
   }
 
-  static Spider_fit<Scalar> fit(const Normal_equations<Scalar, Basis::size>& equations, Scalar independent_values)
+  static Spider_fit<Scalar> fit(const Least_squares_fit<Scalar, Basis::size>& field, bool is_complete)
   {
-    const auto field = solve<Basis::fitted>(equations, independent_values);
-    for(int i = 0; i < number_of_monomials(2); ++i)
-      if(!field.determined[i])
-        return {};
+    // A spider inside one face, or inside coplanar ones, sees a plane, and no more than that if it is complete.
+    const auto& determined = field.determined;
+    const bool is_flat = is_complete && !determined[Basis::isotropic];
+    if(!determined[Basis::constant] || !determined[Basis::x_term] || !determined[Basis::y_term] ||
+       !(determined[Basis::isotropic] || is_flat))
+      return {};
+    // Few vertices, or few limbs, may tell how much the surface bends but not in which direction it does so more.
+    const bool has_directions = determined[Basis::difference] && determined[Basis::mixed] && !is_flat;
     const auto& c = field.coefficients;
+    const Scalar difference = has_directions ? c[Basis::difference] : 0, mixed = has_directions ? c[Basis::mixed] : 0;
     Spider_fit<Scalar> fit = principal_curvatures_of_graph<Scalar>(
-      c[Basis::x_term], c[Basis::y_term], 2 * (c[Basis::isotropic] + c[Basis::difference]), 2 * c[Basis::mixed],
-      2 * (c[Basis::isotropic] - c[Basis::difference]));
+      c[Basis::x_term], c[Basis::y_term], 2 * (c[Basis::isotropic] + difference), 2 * mixed,
+      2 * (c[Basis::isotropic] - difference));
+    fit.is_whole = has_directions || is_flat;
     fit.residual = field.residual;
     return fit;
   }

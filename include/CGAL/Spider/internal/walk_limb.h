@@ -44,7 +44,7 @@ struct Walk_result
 };
 
 /// A limb that makes no headway, since it climbs a wall, is given up when it is as many radii long.
-constexpr int longest_limb_in_radii = 2;
+constexpr int longest_limb_in_radii = 4;
 
 /// Follows a limb segment by segment, and cuts it where it reaches the radius by its measure.
 template <typename View>

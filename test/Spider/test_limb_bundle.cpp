@@ -1,0 +1,222 @@
+// Copyright (c) 2026 The Spider developers.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The promise: limbs that are walked in lockstep go where each would go alone, and their moments are the normal
+// equations of all their samples. The walk of one limb, and sums over full rows of terms, are the oracles.
+
+#include "estimation.h"
+
+#include <CGAL/Spider/internal/Limb_bundle.h>
+#include <CGAL/Spider/internal/Limb_moments.h>
+#include <CGAL/Spider/internal/spatial_order.h>
+
+#include <random>
+
+using namespace estimation;
+namespace internal = Spider::internal;
+
+namespace {
+
+constexpr double radius = 0.6;
+constexpr double rounding = 1e-9; // in units of the radius; lanes may contract multiplications and additions otherwise
+
+using Point_map = Mesh::Property_map<Vertex, Kernel::Point_3>;
+using View = internal::Graph_view<Mesh, Point_map>;
+using Snapshot = internal::Mesh_snapshot<double>;
+using Values = internal::Lanes<double>;
+
+Snapshot snapshot_of(const Mesh& mesh, const View& view)
+{
+  return Snapshot(mesh, view, internal::Ranks<Vertex>(vertices(mesh)), internal::Ranks<Mesh::Face_index>(faces(mesh)));
+}
+
+/// walks limbs at irregular angles both ways, and compares where they end.
+template <typename AnyView>
+void expect_same_walks(const AnyView& view,
+                       const internal::Site<AnyView>& site,
+                       const Vector& normal,
+                       Spider::Limb_measure measure,
+                       int number_of_limbs)
+{
+  const internal::Spider_frame<double> frame(normal, site.reference);
+  const internal::Star<AnyView> star(view, site, internal::Local_coordinates<double>(site.point, frame, radius));
+  Values cosines, sines;
+  for(int l = 0; l < internal::number_of_lanes; ++l)
+  {
+    cosines.set(l, std::cos(0.1 + 0.77 * l));
+    sines.set(l, std::sin(0.1 + 0.77 * l));
+  }
+  internal::Limb_bundle<AnyView> limbs(view, site, star, cosines, sines, number_of_limbs, measure);
+  Values gained(0);
+  limbs.walk([&](const internal::Segments<double>& next) { gained += next.gain; });
+
+  for(int l = 0; l < number_of_limbs; ++l)
+  {
+    SCOPED_TRACE(l);
+    double y = 0;
+    const auto alone = internal::walk_limb(view, site, internal::Cut<double>(star.local, cosines[l], sines[l]), measure,
+                                           [&](const internal::Step<AnyView>& step) { y = step.y; });
+    EXPECT_EQ(limbs.end(l), alone.end);
+    EXPECT_NEAR(limbs.reached(l), alone.reached, rounding);
+    EXPECT_NEAR(limbs.end_along_direction()[l], y, rounding);
+    EXPECT_NEAR(gained[l], alone.reached, rounding);
+  }
+}
+
+} // namespace
+
+TEST(limb_bundle, limbs_in_lockstep_end_where_they_do_alone)
+{
+  for(const auto& [name, mesh] : irregular_noisy_meshes())
+  {
+    SCOPED_TRACE(name);
+    const View view(mesh, mesh.points());
+    const Snapshot snapshot = snapshot_of(mesh, view);
+    for(Vertex v : mesh.vertices())
+      for(Spider::Limb_measure measure : {Spider::arc_length, Spider::tangential_distance})
+      {
+        const auto site = internal::site_at_vertex(view, v);
+        const Vector normal = internal::incident_faces_normal(view, site, radius);
+        const int number_of_limbs = 1 + static_cast<int>(v) % internal::number_of_lanes;
+        expect_same_walks(view, site, normal, measure, number_of_limbs);
+        expect_same_walks(snapshot, internal::site_at_vertex(snapshot, static_cast<std::uint32_t>(v)), normal, measure,
+                          number_of_limbs);
+      }
+  }
+}
+
+TEST(limb_bundle, planes_through_vertices_and_along_edges_are_no_exception)
+{
+  const Mesh mesh = meshes::plane<Mesh>(8, 0.1);
+  const View view(mesh, mesh.points());
+  for(Vertex v : mesh.vertices())
+  {
+    const auto site = internal::site_at_vertex(view, v);
+    const internal::Star<View> star(
+      view, site, internal::Local_coordinates<double>(site.point, {Vector::UnitZ(), Vector::UnitX()}, 0.35));
+    Values cosines, sines; // along the edges, from one corner of the grid to the next, and between
+    for(int l = 0; l < internal::number_of_lanes; ++l)
+    {
+      cosines.set(l, std::cos(meshes::pi / 4 * l));
+      sines.set(l, std::sin(meshes::pi / 4 * l));
+    }
+    internal::Limb_bundle<View> limbs(view, site, star, cosines, sines, internal::number_of_lanes, Spider::arc_length);
+    limbs.walk([](const auto&) {});
+    for(int l = 0; l < internal::number_of_lanes; ++l)
+    {
+      const auto alone = internal::walk_limb(view, site, internal::Cut<double>(star.local, cosines[l], sines[l]),
+                                             Spider::arc_length, [](const auto&) {});
+      EXPECT_EQ(limbs.end(l), alone.end);
+      EXPECT_NEAR(limbs.reached(l), alone.reached, rounding);
+    }
+  }
+}
+
+TEST(limb_bundle, a_component_inside_the_sphere_closes)
+{
+  const Mesh mesh = meshes::icosphere<Mesh>(1, 0.01);
+  const View view(mesh, mesh.points());
+  for(Vertex v : mesh.vertices())
+    for(Spider::Limb_measure measure : {Spider::arc_length, Spider::tangential_distance})
+      expect_same_walks(view, internal::site_at_vertex(view, v), meshes::point(mesh, v).normalized(), measure, 8);
+}
+
+TEST(limb_moments, are_the_normal_equations_of_all_samples)
+{
+  constexpr int degree = 2;
+  using Basis = internal::Height_field_basis<degree>;
+  using Moments = internal::Limb_moments<double, degree>;
+  std::mt19937 random(3);
+  const auto uniform = [&] { return random() / 4294967296.; };
+
+  Eigen::Matrix<double, Basis::size, Basis::size> matrix = decltype(matrix)::Zero();
+  Eigen::Matrix<double, Basis::size, 1> right_side = decltype(right_side)::Zero();
+  Values cosines, sines;
+  for(int l = 0; l < internal::number_of_lanes; ++l)
+  {
+    cosines.set(l, std::cos(1.3 * l));
+    sines.set(l, std::sin(1.3 * l));
+  }
+  Moments moments;
+  moments.clear();
+  for(int i = 0; i < 5; ++i)
+  {
+    Values y, weight;
+    Moments::Functions functions;
+    for(int l = 0; l < internal::number_of_lanes; ++l)
+    {
+      y.set(l, uniform());
+      weight.set(l, uniform());
+      for(auto& function : functions)
+        function.set(l, uniform()); // curved terms are interpolated, so they are no function of y and the angle
+      Eigen::Matrix<double, Basis::size, 1> row;
+      const double a = y[l] * cosines[l], b = y[l] * sines[l], squared = a * a + b * b;
+      row << 1, a, b, functions[0][l], functions[1][l], functions[2][l], squared * squared, squared * (a * a - b * b),
+        squared * 2 * a * b;
+      matrix += weight[l] * row * row.transpose();
+      right_side += weight[l] * functions[Moments::height][l] * row;
+    }
+    moments.add(y, functions, weight);
+  }
+  internal::Normal_equations<Values, Basis::size> equations;
+  moments.add_to(equations, cosines, sines);
+  for(int i = 0; i < Basis::size; ++i)
+  {
+    for(int k = 0; k <= i; ++k)
+      EXPECT_NEAR(equations.matrix[i][k].sum(), matrix(i, k), 1e-12) << i << ", " << k;
+    EXPECT_NEAR(equations.right_side[i].sum(), right_side[i], 1e-12) << i;
+  }
+}
+
+TEST(least_squares, agrees_with_a_QR_decomposition_and_leaves_out_what_rows_do_not_determine)
+{
+  constexpr int size = 4;
+  std::mt19937 random(5);
+  const auto uniform = [&] { return random() / 4294967296.; };
+  Eigen::Matrix<double, 12, size> system;
+  Eigen::Matrix<double, 12, 1> values;
+  for(int i = 0; i < system.rows(); ++i)
+  {
+    system.row(i) << 1, uniform(), uniform(), 0;
+    system(i, 3) = system(i, 1) + 2 * system(i, 2); // nothing new
+    values[i] = uniform();
+  }
+  internal::Normal_equations<double, size> equations;
+  for(int i = 0; i < size; ++i)
+  {
+    for(int k = 0; k <= i; ++k)
+      equations.matrix[i][k] = system.col(i).dot(system.col(k));
+    equations.right_side[i] = system.col(i).dot(values);
+  }
+  equations.squared_values = values.squaredNorm();
+  const auto fit = internal::solve<size>(equations, 12.);
+  const Eigen::Vector3d expected = system.leftCols<3>().colPivHouseholderQr().solve(values);
+  for(int i = 0; i < 3; ++i)
+  {
+    EXPECT_TRUE(fit.determined[i]);
+    EXPECT_NEAR(fit.coefficients[i], expected[i], 1e-12);
+  }
+  EXPECT_FALSE(fit.determined[3]);
+  EXPECT_EQ(fit.coefficients[3], 0);
+  EXPECT_NEAR(fit.residual, (system.leftCols<3>() * expected - values).norm() / std::sqrt(12.), 1e-12);
+}
+
+TEST(spatial_order, holds_every_vertex_once_and_keeps_neighbours_together)
+{
+  const Mesh mesh = meshes::icosphere<Mesh>(4);
+  const View view(mesh, mesh.points());
+  const Snapshot snapshot = snapshot_of(mesh, view);
+  const std::vector<std::uint32_t> order = internal::spatial_order(snapshot);
+  std::vector<bool> seen(order.size(), false);
+  double way = 0;
+  for(std::size_t i = 0; i < order.size(); ++i)
+  {
+    EXPECT_FALSE(seen[order[i]]);
+    seen[order[i]] = true;
+    if(i > 0)
+      way += (snapshot.point(order[i]) - snapshot.point(order[i - 1])).norm();
+  }
+  ASSERT_EQ(order.size(), mesh.number_of_vertices());
+  EXPECT_LE(way / order.size(), 0.15); // edges are 0.07 long: measured 0.1
+}
