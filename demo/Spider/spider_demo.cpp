@@ -57,7 +57,8 @@ demo::Run<demo::Estimate> run_spider(const Mesh& mesh, double radius)
   preparation.start();
   const Spider::Curvature_estimator estimator(mesh, Spider::parameters::geodesic_radius(radius));
   run.seconds = preparation.time();
-  run.seconds += demo::for_each_vertex(mesh, "Spider", [&](Vertex v) { run.answers[v] = estimator(v); });
+  auto worker = estimator.worker();
+  run.seconds += demo::for_each_vertex(mesh, "Spider", [&](Vertex v) { run.answers[v] = worker(v); });
   return run;
 }
 

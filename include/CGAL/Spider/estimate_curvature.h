@@ -39,11 +39,11 @@ Curvature_estimate_3<GT> to_result(const Estimate<Scalar>& estimate)
 estimates the normal and the principal curvatures at one point. For many points of one mesh
 `estimate_vertex_curvatures()`, `estimate_curvatures()` and `Curvature_estimator` are faster.
 
-In each round, all limbs of the spider are walked and resampled in the frame of the last normal, and from them come the
-principal curvatures and the next normal:
+In each round, all limbs of the spider are walked in the frame of the last normal, and from them come the principal
+curvatures and the next normal:
 
-- `surface_fit` fits one polynomial height field to the samples of all limbs and takes curvatures and
-  normal from its fundamental forms;
+- `surface_fit` fits one polynomial height field to a sample of each segment of all limbs, and takes curvatures and
+  normal from its fundamental forms. Where only few vertices are in reach, both curvatures are the mean one;
 - `section_fit` fits a polynomial along each direction, takes the orthogonal pair of directions whose curvatures differ
   most as the principal one, and the average of its two normals as the next normal (paper, 2.2 to 2.4). Pairs that differ
   nearly as much share in that average: on a smooth surface it stays the same, at a corner it doesn't depend on chance.
@@ -68,20 +68,21 @@ size of the mesh.
   \cgalParamNBegin{number_of_directions}
     \cgalParamDescription{number of directions, spaced regularly over a half turn, with two limbs each}
     \cgalParamType{an integer from 3 to 65536; with `section_fit` an even one from 2}
-    \cgalParamDefault{64 (paper, 2.6); with `surface_fit` 2.5 for each mean edge length of the radius, at least 16}
-    \cgalParamExtra{the default of `surface_fit` takes a pass over all edges}
+    \cgalParamDefault{2.5 for each mean edge length of the radius, at least 16; with `section_fit` 64 (paper, 2.6)}
+    \cgalParamExtra{the default takes a pass over all edges}
   \cgalParamNEnd
   \cgalParamNBegin{estimator}
     \cgalParamDescription{how samples become curvatures}
     \cgalParamType{`Spider::Estimator`}
-    \cgalParamDefault{`Spider::section_fit`, the paper's}
-    \cgalParamExtra{`Spider::surface_fit` is new: noise misleads it far less, but at ridges thinner than the radius its
-    normal may wander off}
+    \cgalParamDefault{`Spider::surface_fit`}
+    \cgalParamExtra{`Spider::section_fit` is the paper's; noise misleads it far more}
   \cgalParamNEnd
   \cgalParamNBegin{limb_measure}
     \cgalParamDescription{what is measured along a limb until it reaches the radius}
     \cgalParamType{`Spider::Limb_measure`}
-    \cgalParamDefault{`Spider::arc_length` (the paper's); with `surface_fit` `Spider::tangential_distance`}
+    \cgalParamDefault{`Spider::tangential_distance`; with `section_fit` `Spider::arc_length` (the paper's)}
+    \cgalParamExtra{by `tangential_distance` a limb that climbs a wall doesn't get on: it ends, and makes the estimate
+    `partial`, when it is four radii long}
   \cgalParamNEnd
   \cgalParamNBegin{polynomial_degree}
     \cgalParamDescription{degree of the fitted polynomials}
@@ -93,6 +94,7 @@ size of the mesh.
     \cgalParamDescription{distance of samples along a limb, as a share of the radius}
     \cgalParamType{a number from 0.001 to 1}
     \cgalParamDefault{0.1}
+    \cgalParamExtra{of no effect on `surface_fit`, which samples each segment}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_iterations}
     \cgalParamDescription{most rounds in which the normal is found anew and the spider grown again from it}
@@ -103,8 +105,9 @@ size of the mesh.
   \cgalParamNBegin{convergence_angle}
     \cgalParamDescription{the iteration rests when the normal moves by no more than this angle, in radians}
     \cgalParamType{a number}
-    \cgalParamDefault{0.001; with `surface_fit` 0.3}
-    \cgalParamExtra{a height field has its normal free, so only a large tilt needs another round}
+    \cgalParamDefault{0.3; with `section_fit` 0.001}
+    \cgalParamExtra{a height field has its normal free, so only a large tilt needs another round; `surface_fit` also
+    rests when a round fits no better than the one before}
   \cgalParamNEnd
   \cgalParamNBegin{first_normal}
     \cgalParamDescription{where normals come from that aren't given}
@@ -138,10 +141,11 @@ auto estimate_curvature(const Query& query,
                         const NamedParameters& np = CGAL::parameters::default_values())
 {
   using Inputs = internal::Mesh_inputs<TriangleMesh, NamedParameters>;
-  const Inputs inputs(tmesh, np, section_fit);
+  const Inputs inputs(tmesh, np, surface_fit);
   const internal::Query_point<Inputs> at(inputs, query);
-  return internal::to_result<typename Inputs::Result_traits>(internal::estimate_at(
-    inputs.view, inputs.options, at.site, at.radius, internal::first_normal_of_query(inputs, at)));
+  internal::Estimator_engine<typename Inputs::View> engine(inputs.view, inputs.options);
+  return internal::to_result<typename Inputs::Result_traits>(
+    engine(at.site, at.radius, internal::first_normal_of_query(inputs, at)));
 }
 
 } // namespace Spider

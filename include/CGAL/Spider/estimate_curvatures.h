@@ -42,8 +42,8 @@ OutputIterator estimate_curvatures(const QueryRange& queries,
                                    const NamedParameters& np = CGAL::parameters::default_values())
 {
   const Curvature_estimator<TriangleMesh, NamedParameters> estimator(tmesh, np);
-  internal::for_each_query<ConcurrencyTag>(queries, estimator,
-                                           [&](const auto&, const auto& estimate) { *out++ = estimate; });
+  internal::for_each_query<ConcurrencyTag>(
+    queries, [&] { return estimator.worker(); }, [&](const auto&, const auto& estimate) { *out++ = estimate; });
   return out;
 }
 

@@ -41,9 +41,9 @@ void estimate_vertex_curvatures(const TriangleMesh& tmesh,
 {
   using Result = typename boost::property_traits<CurvatureMap>::value_type;
   const Curvature_estimator<TriangleMesh, NamedParameters> estimator(tmesh, np);
-  internal::for_each_query<ConcurrencyTag>(vertices(tmesh), estimator, [&](const auto& v, const auto& estimate) {
-    put(curvature_map, v, Result(estimate));
-  });
+  internal::for_each_query<ConcurrencyTag>(
+    estimator.vertices_in_spatial_order(), [&] { return estimator.worker(); },
+    [&](const auto& v, const auto& estimate) { put(curvature_map, v, Result(estimate)); });
 }
 
 } // namespace Spider

@@ -41,7 +41,7 @@ void estimate_vertex_normals(const TriangleMesh& tmesh,
   using Vector = typename boost::property_traits<VertexNormalMap>::value_type;
   const Curvature_estimator<TriangleMesh, NamedParameters> estimator(tmesh, np);
   internal::for_each_query<ConcurrencyTag>(
-    vertices(tmesh), [&](const auto& v) { return estimator.normal(v); },
+    vertices(tmesh), [&] { return [&](const auto& v) { return estimator.normal(v); }; },
     [&](const auto& v, const auto& normal) { put(vertex_normal_map, v, Vector(normal.x(), normal.y(), normal.z())); });
 }
 
