@@ -2,16 +2,17 @@
 set(demo_dir ${CMAKE_CURRENT_BINARY_DIR}/demo)
 file(MAKE_DIRECTORY ${demo_dir})
 
-# spider_add_demo_test(name mesh expected-output): the program succeeds and says what is expected.
+# spider_add_demo_test(name mesh expected-output [option...]): the program succeeds and says what is expected.
 function(spider_add_demo_test name mesh expected)
-  add_test(NAME demo_${name} COMMAND spider_demo ${SPIDER_DATA_DIR}/${mesh} --output ${demo_dir}/${name}.ply)
+  add_test(NAME demo_${name} COMMAND spider_demo ${SPIDER_DATA_DIR}/${mesh} --output ${demo_dir}/${name}.ply ${ARGN})
   set_tests_properties(demo_${name} PROPERTIES PASS_REGULAR_EXPRESSION "${expected}" TIMEOUT 60)
 endfunction()
 
 if(SPIDER_DATA_ARCHIVE)
-  spider_add_demo_test(reads_off sphere.off "vertices ok +[1-9]")
-  spider_add_demo_test(reads_stl sphere.stl "vertices ok +[1-9]")
-  spider_add_demo_test(reads_ply sphere.ply "vertices ok +[1-9]")
+  # Four edges, the default radius, are more than the radius of this sphere.
+  spider_add_demo_test(reads_off sphere.off "vertices ok +162" --radius-in-edges 2)
+  spider_add_demo_test(reads_stl sphere.stl "vertices ok +162" --radius-in-edges 2)
+  spider_add_demo_test(reads_ply sphere.ply "vertices ok +162" --radius-in-edges 2)
   spider_add_demo_test(separates_touching_parts pig.stl "16848 triangles.*vertices ok +[1-9]")
   spider_add_demo_test(triangulates cube_quad.off "8 vertices, 12 triangles")
 endif()
