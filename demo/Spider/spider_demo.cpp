@@ -57,8 +57,7 @@ demo::Run<demo::Estimate> run_spider(const Mesh& mesh, double radius)
   preparation.start();
   const Spider::Curvature_estimator estimator(mesh, Spider::parameters::geodesic_radius(radius));
   run.seconds = preparation.time();
-  auto worker = estimator.worker();
-  run.seconds += demo::for_each_vertex(mesh, "Spider", [&](Vertex v) { run.answers[v] = worker(v); });
+  run.seconds += demo::for_each_vertex(mesh, "Spider", [&](Vertex v) { run.answers[v] = estimator(v); });
   return run;
 }
 
