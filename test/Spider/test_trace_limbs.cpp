@@ -83,6 +83,18 @@ TEST(Trace_limbs, are_128_of_four_mean_edges_unless_told_otherwise)
     EXPECT_NEAR(limb.length, 4 * meshes::mean_edge_length(mesh), 1e-14);
 }
 
+TEST(Trace_limbs, are_as_many_as_the_radius_asks_for_with_surface_fit)
+{
+  const Mesh mesh = meshes::icosphere<Mesh>(3);
+  const double edge = meshes::mean_edge_length(mesh);
+  const auto number_of_limbs = [&](double radius) {
+    return limbs(*vertices(mesh).begin(), Vector(0, 1, 0), mesh, geodesic_radius(radius).estimator(Spider::surface_fit))
+      .size();
+  };
+  EXPECT_EQ(number_of_limbs(2 * edge), 2 * 16u);
+  EXPECT_EQ(number_of_limbs(7.99 * edge), 2 * 20u); // 2.5 for each edge length
+}
+
 TEST(Trace_limbs, start_at_the_same_place_of_a_mesh_that_moves)
 {
   const Mesh mesh = meshes::jittered(meshes::icosphere<Mesh>(2), 0.05, 3);

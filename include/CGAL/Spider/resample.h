@@ -47,7 +47,7 @@ std::vector<typename GT::Point_3> resample(const Limb_3<TriangleMesh, GT>& limb,
     const typename GT::Vector_3 segment = to - from;
     const bool is_last = i + 1 == limb.polyline.size();
     const FT end = is_last ? limb.length : length + std::hypot(segment.x(), segment.y(), segment.z());
-    internal::sample_segment(length, end, step, internal::any_number, count, [&](FT share) { points.push_back(from + share * segment); });
+    internal::sample_segment(length, end, step, count, [&](FT share) { points.push_back(from + share * segment); });
     length = end;
   }
   if(internal::end_is_apart(length, step, count))

@@ -76,7 +76,7 @@ OutputIterator trace_limbs(const Query& query,
   const Inputs inputs(tmesh, np, section_fit);
   const internal::Query_point<Inputs> at(inputs, query);
   const internal::Spider_frame<Scalar> frame(internal::checked_normal<Scalar>(normal), at.site.reference);
-  const int count = inputs.options.number_of_directions;
+  const int count = inputs.options.number_of_directions_at(at.radius);
   for(int i = 0; i < 2 * count; ++i)
   {
     const auto direction = frame.direction(internal::angle_of_direction<Scalar>(i, count));

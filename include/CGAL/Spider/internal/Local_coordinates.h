@@ -29,6 +29,12 @@ struct Lane_points
   }
 };
 
+template <typename Scalar>
+Lane_points<Scalar> select(const Lane_mask<Scalar>& condition, const Lane_points<Scalar>& a, const Lane_points<Scalar>& b)
+{
+  return {select(condition, a.x, b.x), select(condition, a.y, b.y), select(condition, a.z, b.z)};
+}
+
 /// Coordinates along the axes of a spider's frame, from the query point on and in units of the geodesic radius, so that
 /// nothing over- or underflows.
 template <typename Scalar>

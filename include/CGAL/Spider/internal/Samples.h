@@ -8,21 +8,18 @@
 #include <CGAL/Spider/internal/walk_limb.h>
 
 #include <cstddef>
-#include <limits>
 #include <vector>
 
 namespace CGAL {
 namespace Spider {
 namespace internal {
 
-constexpr std::size_t any_number = std::numeric_limits<std::size_t>::max();
-
 /// calls `sample(share)` for the points of a segment where the measure, which goes from `from` to `to` along it, reaches a
-/// further multiple of `step`; `count` is the number of multiples reached so far, of at most `most`.
+/// further multiple of `step`; `count` is the number of multiples reached so far.
 template <typename Scalar, typename Sample>
-void sample_segment(Scalar from, Scalar to, Scalar step, std::size_t most, std::size_t& count, Sample&& sample)
+void sample_segment(Scalar from, Scalar to, Scalar step, std::size_t& count, Sample&& sample)
 {
-  for(Scalar at = Scalar(count + 1) * step; at <= to && count < most; at = Scalar(count + 1) * step)
+  for(Scalar at = Scalar(count + 1) * step; at <= to; at = Scalar(count + 1) * step)
   {
     sample(to > from ? (at - from) / (to - from) : Scalar(1));
     ++count;
@@ -60,7 +57,7 @@ Walk_result<View> sample_limb(const View& view,
   Sample<Scalar> end{0, 0}; // where most was reached: a limb may turn back before it ends
   std::size_t count = 0;
   const Walk_result<View> result = walk_limb(view, site, cut, measure, [&](const Step<View>& step) {
-    sample_segment(step.from, step.to, resampling_step, any_number, count, [&](Scalar share) {
+    sample_segment(step.from, step.to, resampling_step, count, [&](Scalar share) {
       samples.push_back({sign * (y + share * (step.y - y)), z + share * (step.z - z)});
     });
     y = step.y;

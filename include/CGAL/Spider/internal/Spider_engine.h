@@ -55,11 +55,12 @@ public:
       const Spider_frame<Scalar> frame(estimate.normal, site.reference);
       Spider_extent<Scalar> extent;
       const Spider_fit<Scalar> fit = fit_(view_, site, frame, radius, extent);
+      const Scalar coverage = extent.reached / (2 * options_.number_of_directions_at(radius));
       if(round == 0)
-        estimate.coverage = extent.reached / (2 * options_.number_of_directions_at(radius));
+        estimate.coverage = coverage;
       if(!fit.determined || (Fit::rests_at_best_fit && !(fit.residual * radius < estimate.residual) && round > 0))
         break; // the last round's answer stays
-      estimate.coverage = extent.reached / (2 * options_.number_of_directions_at(radius));
+      estimate.coverage = coverage;
       estimate.status = extent.is_complete && fit.is_whole ? ok : partial;
       const Vec3<Scalar> previous = estimate.normal;
       take(fit, frame, radius, estimate);

@@ -21,7 +21,8 @@ struct Spider_frame
 
   Spider_frame(const Vec3<Scalar>& unit_normal, const Vec3<Scalar>& reference) : normal(unit_normal)
   {
-    tangent = unit<Scalar>(unit(reference) - unit(reference).dot(normal) * normal);
+    // Where the reference nearly is the normal, what rounding leaves is most of the tangent: hence twice.
+    tangent = tangential_part(tangential_part(reference));
     if(!tangent.allFinite()) // the reference has no tangential part: any tangent will do
     {
       typename Vec3<Scalar>::Index least;
@@ -29,6 +30,12 @@ struct Spider_frame
       tangent = unit<Scalar>(normal.cross(Vec3<Scalar>::Unit(least)));
     }
     bitangent = normal.cross(tangent);
+  }
+
+  Vec3<Scalar> tangential_part(const Vec3<Scalar>& a) const
+  {
+    const Vec3<Scalar> direction = unit(a);
+    return unit<Scalar>(direction - direction.dot(normal) * normal);
   }
 
   Vec3<Scalar> direction(Scalar angle) const { return std::cos(angle) * tangent + std::sin(angle) * bitangent; }

@@ -79,7 +79,7 @@ auto build_limb(const Inputs& inputs,
   Vec3<Scalar> last = query.site.point;
   Scalar length = 0, kept_length = 0;
   const Cut<Scalar> cut(Local_coordinates<Scalar>(query.site.point, {normal, direction}, query.radius), 1, 0);
-  const Walk_result<View> walk = walk_limb(inputs.view, query.site, cut, inputs.options.limb_measure, [&](const Step<View>& step) {
+  const auto extend = [&](const Step<View>& step) {
     Vec3<Scalar> crossing = query.site.point;
     if(step.exit != nullptr)
     {
@@ -94,7 +94,8 @@ auto build_limb(const Inputs& inputs,
     else
       append(last);
     kept_length = length;
-  });
+  };
+  const Walk_result<View> walk = walk_limb(inputs.view, query.site, cut, inputs.options.limb_measure, extend);
   limb.length = walk.end == radius_reached && inputs.options.limb_measure == arc_length
                   ? static_cast<typename Limb::FT>(query.radius) // what the walk cut it to, but for rounding
                   : static_cast<typename Limb::FT>(length * query.radius);

@@ -7,26 +7,13 @@
 #ifndef CGAL_SPIDER_INTERNAL_LEAST_SQUARES_H
 #define CGAL_SPIDER_INTERNAL_LEAST_SQUARES_H
 
-#include <Eigen/Cholesky>
-#include <Eigen/Core>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstddef>
-#include <optional>
 
 namespace CGAL {
 namespace Spider {
 namespace internal {
-
-/// The most terms of a section's polynomial, a quartic.
-constexpr int most_terms = 5;
-
-template <typename Scalar>
-using Small_matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic, 0, most_terms, most_terms>;
-template <typename Scalar>
-using Small_vector = Eigen::Matrix<Scalar, Eigen::Dynamic, 1, 0, most_terms, 1>;
 
 /// The normal equations of a model that is linear in `Size` terms, of which the first is constant: sums over rows of terms
 /// and the values there. `Value` is a number, or several numbers in lanes.
@@ -46,18 +33,6 @@ struct Normal_equations
     matrix.fill(right_side);
   }
 };
-
-/// factorizes a matrix of normal equations whose diagonal is one. Then a pivot is the share of a term that the terms
-/// before it don't explain: none if one is less than `least_pivot`.
-template <typename Scalar>
-std::optional<Eigen::LDLT<Small_matrix<Scalar>>> factorize(const Small_matrix<Scalar>& matrix, Scalar least_pivot)
-{
-  Eigen::LDLT<Small_matrix<Scalar>> factorization(matrix);
-  for(Eigen::Index i = 0; i < matrix.rows(); ++i)
-    if(!(factorization.vectorD()[i] > least_pivot))
-      return std::nullopt;
-  return factorization;
-}
 
 /// returns how much of an effect to believe, by how far its mean square exceeds what noise alone would bring about. It
 /// does so five times in one of three hundred cases (the F distribution with three and some fifty degrees of freedom);

@@ -12,7 +12,8 @@
 #include <CGAL/Spider/internal/Samples.h>
 #include <CGAL/Spider/internal/Spider_fit.h>
 #include <CGAL/Spider/internal/Spider_frame.h>
-#include <CGAL/Spider/internal/least_squares.h>
+
+#include <Eigen/Cholesky>
 
 #include <cmath>
 #include <cstddef>
@@ -64,8 +65,10 @@ Section<Scalar> fit_section(const std::vector<Sample<Scalar>>& samples, int degr
   if(static_cast<int>(samples.size()) < degree)
     return section;
 
-  Small_matrix<Scalar> normal_matrix = Small_matrix<Scalar>::Zero(degree, degree);
-  Small_vector<Scalar> right_side = Small_vector<Scalar>::Zero(degree), powers(degree);
+  using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic, 0, max_polynomial_degree, max_polynomial_degree>;
+  using Vector = Eigen::Matrix<Scalar, Eigen::Dynamic, 1, 0, max_polynomial_degree, 1>;
+  Matrix normal_matrix = Matrix::Zero(degree, degree);
+  Vector right_side = Vector::Zero(degree), powers(degree);
   normal_matrix(0, 0) = 1; // the tangent's equation
   for(const Sample<Scalar>& sample : samples)
   {
@@ -80,16 +83,18 @@ Section<Scalar> fit_section(const std::vector<Sample<Scalar>>& samples, int degr
     }
   }
 
-  const Small_vector<Scalar> scale = normal_matrix.diagonal().cwiseSqrt().cwiseInverse();
+  const Vector scale = normal_matrix.diagonal().cwiseSqrt().cwiseInverse();
   for(int i = 0; i < degree; ++i)
     for(int k = 0; k < degree; ++k)
       normal_matrix(i, k) *= scale[i] * scale[k];
   constexpr Scalar least_pivot = Scalar(1e-10); // below, rounding has eaten half of the digits of a quartic
-  const auto factorization = factorize<Scalar>(normal_matrix, least_pivot);
-  if(!factorization)
-    return section;
-  const Small_vector<Scalar> scaled_right_side = scale.cwiseProduct(right_side);
-  const Small_vector<Scalar> coefficients = scale.cwiseProduct(factorization->solve(scaled_right_side));
+  // With a unit diagonal, a pivot is the share of a power that the lower powers don't explain on these samples.
+  const Eigen::LDLT<Matrix> factorization(normal_matrix);
+  for(int i = 0; i < degree; ++i)
+    if(!(factorization.vectorD()[i] > least_pivot))
+      return section;
+  const Vector scaled_right_side = scale.cwiseProduct(right_side);
+  const Vector coefficients = scale.cwiseProduct(factorization.solve(scaled_right_side));
   if(!coefficients.allFinite())
     return section;
 

@@ -161,7 +161,7 @@ private:
       const Vec3<Scalar> a = local(view.point(site.vertices[i]));
       const auto at_vertex = Basis::curved_at(a.x(), a.y());
       for(int k = 0; k < Basis::curved; ++k)
-        functions[k] = functions[k] + Values(site.weights[i] * at_vertex[k]);
+        functions[k] += Values(site.weights[i] * at_vertex[k]);
     }
     return functions;
   }
@@ -188,7 +188,7 @@ private:
         at[k] = between(at[k], crossing, next.share);
       }
       moments.add(next.middle, middle, next.middle * weight_of_length(next.gain));
-      segments = segments + next.share;
+      segments += next.share;
     });
     bundle.end = limbs.end_along_direction();
     bundle.is_complete = limbs.is_complete();

@@ -1,0 +1,113 @@
+// Copyright (c) 2026 The Spider developers.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPIDER_INTERNAL_LANE_EXITS_H
+#define CGAL_SPIDER_INTERNAL_LANE_EXITS_H
+
+#include <CGAL/Spider/internal/Cut.h>
+#include <CGAL/Spider/internal/Lanes.h>
+#include <CGAL/Spider/internal/Star.h>
+
+#include <array>
+
+namespace CGAL {
+namespace Spider {
+namespace internal {
+
+/// The cuts of the limbs that go in lockstep, as `Cut` is that of one, and the edges on their way out of faces.
+template <typename View>
+struct Lane_exits
+{
+  using Scalar = typename View::Scalar;
+  using Halfedge = typename View::Halfedge;
+  using Values = Lanes<Scalar>;
+  using Mask = Lane_mask<Scalar>;
+
+  Values cosine, sine, shift;
+  std::array<Halfedge, number_of_lanes> edge;
+  Lane_points<Scalar> source, target; ///< the ends of the edges
+  Values source_side, target_side;
+
+  /// finds the edges by which limbs in the directions of the given cosines and sines leave the star: among those that its
+  /// rim offers, as `first_exit()` does, where there is one and no doubt of it.
+  Lane_exits(const View& view, const Site<View>& site, const Star<View>& star, const Values& cosines, const Values& sines)
+    : cosine(cosines), sine(sines), shift(star.local.rounding())
+  {
+    edge.fill(site.rim.front());
+    const Mask all = Values(1) > Values(0);
+    Mask offered = !all, doubtful = !all;
+    lead_to_query_point(all);
+    for(const Star_edge<View>& e : star.edges)
+    {
+      const Values sx(e.source.x()), sy(e.source.y()), tx(e.target.x()), ty(e.target.y());
+      const Values s_side = side(sx, sy), t_side = side(tx, ty), a_side = side(e.apex.x(), e.apex.y());
+      const Mask crosses = !((s_side >= Values(0)) == (t_side >= Values(0)));
+      if(!crosses.any())
+        continue;
+      const Values s_along = along(sx, sy), t_along = along(tx, ty), a_along = along(e.apex.x(), e.apex.y());
+      const Values turn = (t_along - s_along) * (a_side - s_side) - (t_side - s_side) * (a_along - s_along);
+      const Values size = absolute(t_along - s_along) + absolute(t_side - s_side);
+      const Mask ahead = crosses & ((turn > Values(0)) == (t_side >= Values(0)));
+      doubtful = doubtful | (offered & ahead) | (crosses & !(absolute(turn) > Values(star.local.rounding()) * size));
+      offered = offered | ahead;
+      replace_source(ahead, {sx, sy, Values(e.source.z())}, s_side);
+      replace_target(ahead, {tx, ty, Values(e.target.z())}, t_side);
+      const auto is_ahead = ahead.values();
+      for(int l = 0; l < number_of_lanes; ++l)
+        edge[l] = is_ahead[l] ? e.edge : edge[l];
+    }
+    doubtful = doubtful | !offered;
+    for(int l = 0; l < number_of_lanes; ++l)
+      if(doubtful[l])
+        find_alone(l, view, site, star.local);
+  }
+
+  Values side(const Values& x, const Values& y) const { return cosine * y - sine * x + shift; }
+  Values along(const Values& x, const Values& y) const { return cosine * x + sine * y; }
+
+  void replace_source(const Mask& where, const Lane_points<Scalar>& point, const Values& side)
+  {
+    source = select(where, point, source);
+    source_side = select(where, side, source_side);
+  }
+
+  void replace_target(const Mask& where, const Lane_points<Scalar>& point, const Values& side)
+  {
+    target = select(where, point, target);
+    target_side = select(where, side, target_side);
+  }
+
+  /// has limbs lead back to the query point.
+  void lead_to_query_point(const Mask& which)
+  {
+    const Lane_points<Scalar> query_point = {Values(0), Values(0), Values(0)};
+    replace_source(which, query_point, Values(1));
+    replace_target(which, query_point, Values(0));
+  }
+
+private:
+  /// A limb for which there is no edge has a source at no place.
+  void find_alone(int l, const View& view, const Site<View>& site, const Local_coordinates<Scalar>& local)
+  {
+    Cut<Scalar> cut(local, cosine[l], sine[l]);
+    const Exit<View> exit = first_exit_either_way(view, site, cut);
+    shift.set(l, cut.shift());
+    if(!exit.exists())
+    {
+      source.set(l, nan_vec3<Scalar>());
+      return;
+    }
+    edge[l] = exit.edge;
+    source.set(l, local(view.point(view.source(exit.edge))));
+    target.set(l, local(view.point(view.target(exit.edge))));
+    source_side.set(l, exit.source.side);
+    target_side.set(l, exit.target.side);
+  }
+};
+
+} // namespace internal
+} // namespace Spider
+} // namespace CGAL
+
+#endif // CGAL_SPIDER_INTERNAL_LANE_EXITS_H
