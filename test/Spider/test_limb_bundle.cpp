@@ -26,7 +26,8 @@ using View = internal::Graph_view<Mesh, Point_map>;
 using Snapshot = internal::Mesh_snapshot<double>;
 using Values = internal::Lanes<double>;
 
-Snapshot snapshot_of(const Mesh& mesh, const View& view)
+template <typename AnyView>
+Snapshot snapshot_of(const Mesh& mesh, const AnyView& view)
 {
   return Snapshot(mesh, view, internal::Ranks<Vertex>(vertices(mesh)), internal::Ranks<Mesh::Face_index>(faces(mesh)));
 }
@@ -55,7 +56,9 @@ void expect_same_walks(const AnyView& view,
   {
     SCOPED_TRACE(l);
     double y = 0;
-    const auto alone = internal::walk_limb(view, site, internal::Cut<double>(star.local, cosines[l], sines[l]), measure,
+    internal::Limb_rule<double> rule = measure;
+    rule.sine_of_minimum_crossing_angle = 0; // limbs of one patch
+    const auto alone = internal::walk_limb(view, site, internal::Cut<double>(star.local, cosines[l], sines[l]), rule,
                                            [&](const internal::Step<AnyView>& step) { y = step.y; });
     EXPECT_EQ(limbs.end(l), alone.end);
     EXPECT_NEAR(limbs.reached(l), alone.reached, rounding);
@@ -82,6 +85,34 @@ TEST(limb_bundle, limbs_in_lockstep_end_where_they_do_alone)
         expect_same_walks(view, site, normal, measure, number_of_limbs);
         expect_same_walks(snapshot, internal::site_at_vertex(snapshot, static_cast<std::uint32_t>(v)), normal, measure,
                           number_of_limbs);
+      }
+  }
+}
+
+TEST(limb_bundle, feature_edges_and_costs_stop_limbs_in_lockstep_as_they_do_alone)
+{
+  for(auto& [name, mesh] : irregular_noisy_meshes())
+  {
+    SCOPED_TRACE(name);
+    std::mt19937 random(11);
+    auto features = mesh.add_property_map<Mesh::Edge_index, bool>("e:feature", false).first;
+    auto costs = mesh.add_property_map<Mesh::Face_index, double>("f:cost", 1).first;
+    for(auto e : mesh.edges())
+      features[e] = random() % 16 == 0;
+    for(auto f : mesh.faces())
+      costs[f] = random() % 32 == 0 ? std::numeric_limits<double>::infinity() : 1 + double(random() % 3);
+    using Attributes = internal::Growth_attributes<decltype(features), decltype(costs)>;
+    const internal::Graph_view<Mesh, Point_map, Attributes> view(
+      mesh, mesh.points(), Attributes(features, costs, internal::patch_of_star));
+    const Snapshot snapshot = snapshot_of(mesh, view);
+    for(Vertex v : mesh.vertices())
+      for(Spider::Limb_measure measure : {Spider::arc_length, Spider::tangential_distance})
+      {
+        const auto site = internal::site_at_vertex(view, v);
+        const Vector normal = internal::incident_faces_normal(view, site, radius);
+        expect_same_walks(view, site, normal, measure, internal::number_of_lanes);
+        expect_same_walks(snapshot, internal::site_at_vertex(snapshot, static_cast<std::uint32_t>(v)), normal, measure,
+                          internal::number_of_lanes);
       }
   }
 }

@@ -22,7 +22,7 @@ enum Limb_end
   radius_reached, ///< its length is the geodesic radius
   border,         ///< there is no next face
   feature_edge,   ///< it met a feature edge
-  slowed,         ///< its growth was slowed to a stop
+  slowed,         ///< faces that cost more than 1 kept it short, or a wall that it climbs without getting farther
   degenerate      ///< the section can't be followed: it closes on itself, or starts in no face, or isn't finite
 };
 

@@ -119,6 +119,24 @@ size of the mesh.
     \cgalParamType{a readable property map from vertices to vectors of any kernel}
     \cgalParamDefault{none: computed as `first_normal` says}
   \cgalParamNEnd
+  \cgalParamNBegin{edge_is_constrained_map}
+    \cgalParamDescription{the feature edges, at which limbs stop (paper, 2.5); an estimate on a feature edge is that
+    of one patch: of the widest around a vertex, or of the face of a `Face_location`}
+    \cgalParamType{a readable property map from edges to `bool`}
+    \cgalParamDefault{no feature edges}
+    \cgalParamExtra{`CGAL::Polygon_mesh_processing::detect_sharp_edges()` fills one in}
+  \cgalParamNEnd
+  \cgalParamNBegin{minimum_crossing_angle}
+    \cgalParamDescription{a limb that meets a feature edge at a smaller angle between the edge and its plane goes on}
+    \cgalParamType{a number of degrees from 0 to 90}
+    \cgalParamDefault{30}
+    \cgalParamExtra{`surface_fit` has limbs stop at feature edges at any angle, since only one patch may enter a fit}
+  \cgalParamNEnd
+  \cgalParamNBegin{growth_cost_map}
+    \cgalParamDescription{by how much length in a face counts: the dearer, the shorter limbs get; infinity stops them}
+    \cgalParamType{a readable property map from faces to numbers of at least 1}
+    \cgalParamDefault{1 for all faces}
+  \cgalParamNEnd
   \cgalParamNBegin{vertex_point_map}
     \cgalParamDescription{the points of the vertices}
     \cgalParamType{a readable property map from vertices to points}

@@ -60,6 +60,12 @@ estimates the normal at a query point. Unlike that of `estimate_curvature()` it 
     \cgalParamType{a readable property map from vertices to vectors of any kernel}
     \cgalParamDefault{none: computed as `first_normal` says}
   \cgalParamNEnd
+  \cgalParamNBegin{edge_is_constrained_map}
+    \cgalParamDescription{the feature edges: a point on one has the normal of one patch, of the widest around a vertex, or of
+    the face of a `Face_location`}
+    \cgalParamType{a readable property map from edges to `bool`}
+    \cgalParamDefault{no feature edges}
+  \cgalParamNEnd
   \cgalParamNBegin{vertex_point_map}
     \cgalParamDescription{the points of the vertices}
     \cgalParamType{a readable property map from vertices to points}

@@ -41,7 +41,9 @@ enum First_normal
   DO(polynomial_degree)                    \
   DO(resampling_step)                      \
   DO(convergence_angle)                    \
-  DO(first_normal)
+  DO(first_normal)                         \
+  DO(minimum_crossing_angle)               \
+  DO(growth_cost_map)
 
 namespace internal_np {
 

@@ -19,7 +19,8 @@ traces a limb: the polyline in which the half plane through the query point that
 cuts the mesh, from the query point until its length is the geodesic radius (paper, 2.2). The last segment is shortened
 so that the length is exactly that.
 
-A limb ends early where there is no next face, and where the section closes on itself before the radius is reached.
+A limb ends early where there is no next face, at a feature edge, where the section closes on itself before the radius is
+reached, and where the faces' cost slows it down.
 It takes time linear in the number of faces that it crosses.
 
 A vertex on the cutting plane counts as left of it, which settles all ties: a plane along an edge, through a vertex, or
@@ -46,6 +47,22 @@ from `direction`.
     \cgalParamDescription{what is measured along a limb until it reaches the radius}
     \cgalParamType{`Spider::Limb_measure`}
     \cgalParamDefault{`Spider::arc_length` (the paper's)}
+  \cgalParamNEnd
+  \cgalParamNBegin{edge_is_constrained_map}
+    \cgalParamDescription{the feature edges, at which limbs stop (paper, 2.5)}
+    \cgalParamType{a readable property map from edges to `bool`}
+    \cgalParamDefault{no feature edges}
+    \cgalParamExtra{`CGAL::Polygon_mesh_processing::detect_sharp_edges()` fills one in}
+  \cgalParamNEnd
+  \cgalParamNBegin{minimum_crossing_angle}
+    \cgalParamDescription{a limb that meets a feature edge at a smaller angle between the edge and its plane goes on}
+    \cgalParamType{a number of degrees from 0 to 90}
+    \cgalParamDefault{30}
+  \cgalParamNEnd
+  \cgalParamNBegin{growth_cost_map}
+    \cgalParamDescription{by how much length in a face counts: the dearer, the shorter limbs get; infinity stops them}
+    \cgalParamType{a readable property map from faces to numbers of at least 1}
+    \cgalParamDefault{1 for all faces}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_point_map}
     \cgalParamDescription{the points of the vertices}
@@ -76,7 +93,7 @@ auto trace_limb(const Query& query,
                 const NamedParameters& np = CGAL::parameters::default_values())
 {
   using Inputs = internal::Mesh_inputs<TriangleMesh, NamedParameters>;
-  const Inputs inputs(tmesh, np, section_fit);
+  const Inputs inputs(tmesh, np, section_fit, internal::whole_star);
   const internal::Query_point<Inputs> at(inputs, query);
   const auto [n, d] = internal::checked_tangent_frame<typename Inputs::Scalar>(normal, direction);
   return internal::build_limb<TriangleMesh>(inputs, at, n, d);

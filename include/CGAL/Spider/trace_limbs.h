@@ -43,6 +43,22 @@ turn, in angular order, counter-clockwise as seen from the tip of `normal`.
     \cgalParamType{an even integer from 2 to 65536}
     \cgalParamDefault{64 (paper, 2.6)}
   \cgalParamNEnd
+  \cgalParamNBegin{edge_is_constrained_map}
+    \cgalParamDescription{the feature edges, at which limbs stop (paper, 2.5)}
+    \cgalParamType{a readable property map from edges to `bool`}
+    \cgalParamDefault{no feature edges}
+    \cgalParamExtra{`CGAL::Polygon_mesh_processing::detect_sharp_edges()` fills one in}
+  \cgalParamNEnd
+  \cgalParamNBegin{minimum_crossing_angle}
+    \cgalParamDescription{a limb that meets a feature edge at a smaller angle between the edge and its plane goes on}
+    \cgalParamType{a number of degrees from 0 to 90}
+    \cgalParamDefault{30}
+  \cgalParamNEnd
+  \cgalParamNBegin{growth_cost_map}
+    \cgalParamDescription{by how much length in a face counts: the dearer, the shorter limbs get; infinity stops them}
+    \cgalParamType{a readable property map from faces to numbers of at least 1}
+    \cgalParamDefault{1 for all faces}
+  \cgalParamNEnd
   \cgalParamNBegin{vertex_point_map}
     \cgalParamDescription{the points of the vertices}
     \cgalParamType{a readable property map from vertices to points}
@@ -73,7 +89,7 @@ OutputIterator trace_limbs(const Query& query,
 {
   using Inputs = internal::Mesh_inputs<TriangleMesh, NamedParameters>;
   using Scalar = typename Inputs::Scalar;
-  const Inputs inputs(tmesh, np, section_fit);
+  const Inputs inputs(tmesh, np, section_fit, internal::whole_star);
   const internal::Query_point<Inputs> at(inputs, query);
   const internal::Spider_frame<Scalar> frame(internal::checked_normal<Scalar>(normal), at.site.reference);
   const int count = inputs.options.number_of_directions_at(at.radius);

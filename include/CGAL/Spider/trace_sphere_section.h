@@ -63,7 +63,7 @@ auto trace_sphere_section(const Query& query,
   using Inputs = internal::Mesh_inputs<TriangleMesh, NamedParameters>;
   using Scalar = typename Inputs::Scalar;
   using Point_3 = typename Inputs::Result_traits::Point_3;
-  const Inputs inputs(tmesh, np, section_fit);
+  const Inputs inputs(tmesh, np, section_fit, internal::whole_star);
   const internal::Query_point<Inputs> at(inputs, query);
 
   std::vector<std::vector<Point_3>> result;

@@ -73,6 +73,12 @@ struct Exit
   bool exists() const { return edge != View::null_halfedge(); }
   /// returns where the plane crosses, from 0 at the source to 1 at the target.
   Scalar crossing() const { return source.side / (source.side - target.side); }
+  /// returns the sine of the angle between the edge and the plane.
+  Scalar sine_of_angle() const
+  {
+    const Scalar across = target.side - source.side;
+    return std::abs(across) / std::hypot(target.y - source.y, target.z - source.z, across);
+  }
 };
 
 template <typename Scalar>

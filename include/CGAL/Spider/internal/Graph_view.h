@@ -5,6 +5,8 @@
 #ifndef CGAL_SPIDER_INTERNAL_GRAPH_VIEW_H
 #define CGAL_SPIDER_INTERNAL_GRAPH_VIEW_H
 
+#include <CGAL/Spider/internal/Growth_attributes.h>
+#include <CGAL/Spider/internal/Site.h>
 #include <CGAL/Spider/internal/numbers.h>
 
 #include <CGAL/boost/graph/helpers.h>
@@ -13,6 +15,7 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -51,7 +54,7 @@ auto opposite_of(Descriptor h, const Graph& g) { return opposite(h, g); }
 } // namespace bgl
 
 /// What the walk needs of a mesh, straight from the caller's `FaceGraph`: no set-up, for single queries.
-template <typename TriangleMesh, typename VertexPointMap>
+template <typename TriangleMesh, typename VertexPointMap, typename Attributes = Growth_attributes<>>
 class Graph_view
 {
   using Traits = boost::graph_traits<TriangleMesh>;
@@ -63,7 +66,10 @@ public:
   using Halfedge = typename Traits::halfedge_descriptor;
   using Face = typename Traits::face_descriptor;
 
-  Graph_view(const TriangleMesh& tmesh, VertexPointMap vpm) : tmesh_(tmesh), vpm_(vpm) {}
+  Graph_view(const TriangleMesh& tmesh, VertexPointMap vpm, const Attributes& attributes = Attributes())
+    : tmesh_(tmesh), vpm_(vpm), attributes_(attributes)
+  {
+  }
 
   static Halfedge null_halfedge() { return Traits::null_halfedge(); }
   static Vertex null_vertex() { return Traits::null_vertex(); }
@@ -83,7 +89,29 @@ public:
     return CGAL::is_border(o, tmesh_) ? null_halfedge() : o;
   }
 
-  /// Beyond an edge: where that is the face across, its apex and the halfedge that starts there; else NaN.
+  Star_extent star_extent() const { return attributes_.star_extent(); }
+  bool is_feature(Halfedge h) const { return attributes_.is_feature(edge(h)); }
+
+  static constexpr bool has_growth_costs() { return Attributes::has_costs; }
+
+  /// returns by how much a limb's length in the face of a halfedge counts: at least 1, infinite where limbs stop.
+  Scalar growth_cost(Halfedge h) const { return attributes_.template cost<Scalar>(face(h)); }
+
+  /// returns `opposite(h)`, but `null_halfedge()` where the star of the edge's vertices ends with the edge.
+  Halfedge opposite_in_star(Halfedge h) const
+  {
+    return attributes_.star_extent() == patch_of_star && is_feature(h) ? null_halfedge() : opposite(h);
+  }
+
+  /// tells whether limbs stop at an edge since the face across has an infinite cost.
+  bool is_closed_to_growth(Halfedge h) const
+  {
+    const Halfedge across = opposite(h);
+    return Attributes::has_costs && across != null_halfedge() && !std::isfinite(growth_cost(across));
+  }
+
+  /// Beyond an edge: where limbs of one patch may go on there, the apex of the face across and the halfedge that starts
+  /// at it; else NaN.
   struct Beyond
   {
     Vec3<Scalar> apex;
@@ -93,7 +121,7 @@ public:
   Beyond beyond(Halfedge h) const
   {
     const Halfedge across = opposite(h);
-    if(across == null_halfedge())
+    if(across == null_halfedge() || is_feature(h) || is_closed_to_growth(h))
       return {nan_vec3<Scalar>(), h};
     const Halfedge third = other_edges(across).second;
     return {point(source(third)), third};
@@ -114,14 +142,16 @@ public:
   /// returns the halfedge from `v` into the incident face whose edge opposite to `v` has the farthest midpoint, or
   /// `null_halfedge()` where there is no face. It stays the same corner when the mesh moves, scales, turns inside out
   /// or is held in another data structure, which makes it the place to measure directions from. Where several are as
-  /// far, as on regular meshes, that whose two other vertices come first in the order of descriptors is taken.
+  /// far, as on regular meshes, that whose two other vertices come first in the order of descriptors is taken. Where
+  /// stars are patches, the corner is one of the patch that is widest at `v`.
   Halfedge first_corner(Vertex v) const
   {
     constexpr Scalar as_far = (1 - Scalar(1e-6)) * (1 - Scalar(1e-6)); // far above rounding; of squares
     Halfedge best = null_halfedge();
-    const Scalar farthest = squared_distance_of_farthest_rim(v);
+    Scalar farthest = 0;
+    for_each_corner_of_star(v, [&](Halfedge corner) { farthest = std::max(farthest, squared_distance_of_rim(corner)); });
     std::pair<Vertex, Vertex> best_rim;
-    for_each_corner(v, [&](Halfedge corner) {
+    for_each_corner_of_star(v, [&](Halfedge corner) {
       if(squared_distance_of_rim(corner) < as_far * farthest)
         return;
       const Halfedge opposite_edge = next(corner, tmesh_);
@@ -157,15 +187,42 @@ private:
     return ((point(source(opposite_edge)) - p) + (point(target(opposite_edge)) - p)).squaredNorm();
   }
 
-  Scalar squared_distance_of_farthest_rim(Vertex v) const
+  /// calls `visit(corner)` for the corners of all patches at `v` that are as wide as the widest.
+  template <typename Visitor>
+  void for_each_corner_of_star(Vertex v, Visitor&& visit) const
   {
-    Scalar farthest = 0;
-    for_each_corner(v, [&](Halfedge corner) { farthest = std::max(farthest, squared_distance_of_rim(corner)); });
-    return farthest;
+    constexpr Scalar as_wide = 1 - Scalar(1e-6); // far above rounding
+    bool has_patches = false;
+    if(Attributes::has_features && attributes_.star_extent() == patch_of_star)
+      for_each_corner(v, [&](Halfedge corner) { has_patches |= is_feature(corner); });
+    if(!has_patches)
+      return for_each_corner(v, visit);
+    Scalar widest = 0;
+    for_each_corner(v, [&](Halfedge corner) { widest = std::max(widest, angle_of_patch(corner)); });
+    for_each_corner(v, [&](Halfedge corner) {
+      if(!(angle_of_patch(corner) < as_wide * widest))
+        visit(corner);
+    });
+  }
+
+  /// returns the angle that a corner's patch fills around the corner's vertex.
+  Scalar angle_of_patch(Halfedge first) const
+  {
+    Scalar sum = 0;
+    visit_corners(*this, first, [&](Halfedge corner) {
+      const Vec3<Scalar> p = point(source(corner));
+      const Halfedge opposite_edge = next(corner, tmesh_);
+      const Scalar angle =
+        angle_between(unit<Scalar>(point(source(opposite_edge)) - p), unit<Scalar>(point(target(opposite_edge)) - p));
+      if(std::isfinite(angle))
+        sum += angle;
+    });
+    return sum;
   }
 
   const TriangleMesh& tmesh_;
   VertexPointMap vpm_;
+  Attributes attributes_;
 };
 
 } // namespace internal

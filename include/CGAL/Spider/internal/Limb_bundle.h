@@ -3,11 +3,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // The walk of several limbs in lockstep. What one limb does is what `walk_limb()` does, step by step; what differs is that
-// nothing branches: limbs that have come to their end stay where they are until all have.
+// nothing branches: limbs that have come to their end stay where they are until all have. And limbs stay in one patch:
+// they stop at feature edges at any angle.
 
 #ifndef CGAL_SPIDER_INTERNAL_LIMB_BUNDLE_H
 #define CGAL_SPIDER_INTERNAL_LIMB_BUNDLE_H
 
+#include <CGAL/Spider/internal/Growth_limit.h>
 #include <CGAL/Spider/internal/Lane_exits.h>
 #include <CGAL/Spider/internal/Lanes.h>
 #include <CGAL/Spider/internal/Star.h>
@@ -60,7 +62,9 @@ public:
       is_limb.set(l, 0);
     growing_ = (is_limb > Values(0)) & is_near(at_.source) & is_near(at_.target);
     closed_ = !(is_limb >= Values(0));
-    end_.fill(site.on_border ? border : degenerate);
+    end_.fill(site.end_at_once);
+    if(view_.has_growth_costs())
+      enter_faces(growing_);
     at_.lead_to_query_point(!growing_);
   }
 
@@ -111,9 +115,9 @@ private:
 
     const Values advance = by_arc_length_ ? step : y_step, from = by_arc_length_ ? reached_ : y_;
     const Values to = from + advance, inverse = one / select(advance > zero, advance, Values(infinity()));
-    const Mask is_last = growing_ & (to >= one);
-    const Values share = select(is_last, (one - from) * inverse, select(growing_, one, zero));
-    const Values arrived = select(is_last, one, to), begin = larger(from, reached_);
+    const Mask is_last = growing_ & (to >= limit_.limit());
+    const Values share = select(is_last, (limit_.limit() - from) * inverse, select(growing_, one, zero));
+    const Values arrived = select(is_last, limit_.limit(), to), begin = larger(from, reached_);
     const Values middle_share = (smaller((begin - from) * inverse, share) + share) * Values(Scalar(0.5));
     const Values gain = select(growing_, larger(arrived - begin, zero), zero);
     const Segments<Scalar> segments{at_.source, at_.target, crossing, share, gain, middle_share, y_ + middle_share * y_step};
@@ -126,7 +130,7 @@ private:
     if(ended.any())
     {
       for(int l = 0; l < number_of_lanes; ++l)
-        end_[l] = is_last[l] ? radius_reached : ended[l] ? slowed : end_[l];
+        end_[l] = is_last[l] && !(limit_.limit()[l] < 1) ? radius_reached : ended[l] ? slowed : end_[l];
       growing_ = growing_ & !ended;
     }
     return segments;
@@ -164,6 +168,29 @@ private:
     }
     if(meets_again)
       note_circles();
+    if(view_.has_growth_costs())
+      enter_faces(goes_on);
+  }
+
+  /// has the next segments cost as many times their length as the faces tell, and ends limbs in faces of infinite cost.
+  void enter_faces(const Mask& entering)
+  {
+    Values costs(1), ends(0);
+    for(int l = 0; l < number_of_lanes; ++l)
+    {
+      if(!entering[l])
+        continue;
+      const Scalar cost = view_.growth_cost(at_.edge[l]);
+      if(std::isfinite(cost))
+        costs.set(l, cost);
+      else
+      {
+        ends.set(l, 1);
+        end_[l] = slowed;
+      }
+    }
+    growing_ = growing_ & !(ends > Values(0));
+    limit_.enter(costs, reached_);
   }
 
   /// ends limbs that left the mesh, whose sections are closed, or that lost their way.
@@ -171,8 +198,15 @@ private:
   {
     for(int l = 0; l < number_of_lanes; ++l)
       if(stops[l])
-        end_[l] = !closed_[l] && view_.opposite(at_.edge[l]) == View::null_halfedge() ? border : degenerate;
+        end_[l] = closed_[l] ? degenerate : end_at(at_.edge[l]);
     growing_ = growing_ & !stops;
+  }
+
+  Limb_end end_at(Halfedge h) const
+  {
+    if(view_.opposite(h) == View::null_halfedge())
+      return border;
+    return view_.is_feature(h) ? feature_edge : view_.is_closed_to_growth(h) ? slowed : degenerate;
   }
 
   /// Limbs that are back at the edge where they began lead to the query point, where their sections close. Those that go
@@ -207,6 +241,7 @@ private:
   bool by_arc_length_;
   Values y_, z_; ///< where the limb is, along its direction and the normal
   Values length_, reached_;
+  Growth_limit<Values> limit_;
   Mask growing_, closed_;
   std::array<Limb_end, number_of_lanes> end_;
 };

@@ -27,9 +27,6 @@ template <typename T>
 constexpr bool is_number = !std::is_same<typename CGAL::Algebraic_structure_traits<T>::Algebraic_category,
                                          CGAL::Null_tag>::value;
 
-template <typename T>
-constexpr bool is_given = !std::is_same<std::decay_t<T>, CGAL::internal_np::Param_not_found>::value;
-
 /// returns the mean length of the edges; 0 without an edge of finite length.
 template <typename View, typename TriangleMesh>
 typename View::Scalar mean_edge_length(const View& view, const TriangleMesh& tmesh)
@@ -89,19 +86,28 @@ public:
   using GT = typename CGAL::GetGeomTraits<TriangleMesh, NamedParameters>::type;
   using Result_traits = Result_kernel<GT>;
   using Vertex_point_map = typename CGAL::GetVertexPointMap<TriangleMesh, NamedParameters>::const_type;
-  using View = Graph_view<TriangleMesh, Vertex_point_map>;
+  template <typename Tag>
+  using Given = std::decay_t<decltype(
+    parameters::get_parameter(std::declval<const NamedParameters&>(), Tag()))>;
+  using Attributes = Growth_attributes<Given<CGAL::internal_np::edge_is_constrained_t>,
+                                       Given<Spider::internal_np::growth_cost_map_t>>;
+  using View = Graph_view<TriangleMesh, Vertex_point_map, Attributes>;
   using Scalar = typename View::Scalar;
   using Vertex = typename View::Vertex;
 
-  static constexpr bool has_given_normals = is_given<decltype(
-    parameters::get_parameter(std::declval<const NamedParameters&>(), Spider::internal_np::vertex_normal_map))>;
+  static constexpr bool has_given_normals = is_given<Given<CGAL::internal_np::vertex_normal_map_t>>;
 
   /// `default_estimator` is the one whose defaults hold where no estimator is named.
-  Mesh_inputs(const TriangleMesh& tmesh, const NamedParameters& np, Estimator default_estimator)
+  Mesh_inputs(const TriangleMesh& tmesh,
+              const NamedParameters& np,
+              Estimator default_estimator,
+              Star_extent star_extent = patch_of_star)
     : options(read_options<Scalar>(np, default_estimator)),
       view(tmesh,
            parameters::choose_parameter(parameters::get_parameter(np, CGAL::internal_np::vertex_point),
-                                        get_const_property_map(CGAL::vertex_point, tmesh))),
+                                        get_const_property_map(CGAL::vertex_point, tmesh)),
+           Attributes(parameters::get_parameter(np, CGAL::internal_np::edge_is_constrained),
+                      parameters::get_parameter(np, Spider::internal_np::growth_cost_map), star_extent)),
       np_(np)
   {
     if(!has_radius || options.number_of_directions == 0)
@@ -128,17 +134,15 @@ public:
 
   static constexpr bool has_radius_map()
   {
-    using Given =
-      decltype(parameters::get_parameter(std::declval<const NamedParameters&>(), Spider::internal_np::geodesic_radius));
-    return is_given<Given> && !is_number<std::decay_t<Given>>;
+    using Radius = Given<Spider::internal_np::geodesic_radius_t>;
+    return is_given<Radius> && !is_number<Radius>;
   }
 
   Options<Scalar> options;
   View view;
 
 private:
-  static constexpr bool has_radius = is_given<decltype(
-    parameters::get_parameter(std::declval<const NamedParameters&>(), Spider::internal_np::geodesic_radius))>;
+  static constexpr bool has_radius = is_given<Given<Spider::internal_np::geodesic_radius_t>>;
 
   Scalar read_radius() const
   {

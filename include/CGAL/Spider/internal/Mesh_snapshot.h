@@ -62,15 +62,15 @@ public:
   using Halfedge = std::uint32_t;
   using Face = std::uint32_t;
 
-  template <typename TriangleMesh, typename VertexPointMap>
+  template <typename TriangleMesh, typename VertexPointMap, typename Attributes>
   Mesh_snapshot(const TriangleMesh& tmesh,
-                const Graph_view<TriangleMesh, VertexPointMap>& view,
+                const Graph_view<TriangleMesh, VertexPointMap, Attributes>& view,
                 const Ranks<typename boost::graph_traits<TriangleMesh>::vertex_descriptor>& vertices,
                 const Ranks<typename boost::graph_traits<TriangleMesh>::face_descriptor>& faces)
   {
     using Mesh_halfedge = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
-    if(4 * faces.size() >= null_halfedge())
-      throw std::invalid_argument("Spider: tmesh has more than a billion faces: split it");
+    if(4 * faces.size() >= first_flagged)
+      throw std::invalid_argument("Spider: tmesh has more than 268 million faces: split it");
 
     const auto id = [&](Mesh_halfedge h) -> Halfedge {
       if(h == boost::graph_traits<TriangleMesh>::null_halfedge())
@@ -94,8 +94,14 @@ public:
         const Mesh_halfedge across = view.opposite(h);
         thirds_across_.push_back(
           id(across == boost::graph_traits<TriangleMesh>::null_halfedge() ? across : view.other_edges(across).second));
+        if(thirds_across_.back() != null_halfedge())
+          thirds_across_.back() |=
+            (view.is_feature(h) ? feature_flag : 0u) | (view.is_closed_to_growth(h) ? closed_flag : 0u);
       }
+      if(view.has_growth_costs())
+        growth_costs_.push_back(view.growth_cost(first));
     }
+    stars_are_patches_ = view.star_extent() == patch_of_star;
     points_.reserve(vertices.size());
     first_corners_.reserve(vertices.size());
     for(std::size_t v = 0; v < vertices.size(); ++v)
@@ -118,11 +124,20 @@ public:
   Halfedge opposite(Halfedge h) const
   {
     const Halfedge third = thirds_across_[slot(h)];
-    return third == null_halfedge() ? third : following(third);
+    return third == null_halfedge() ? third : following(third & ~(feature_flag | closed_flag));
   }
+  Halfedge opposite_in_star(Halfedge h) const
+  {
+    return stars_are_patches_ && is_feature(h) ? null_halfedge() : opposite(h);
+  }
+  bool is_feature(Halfedge h) const { return has_flag(h, feature_flag); }
+  bool is_closed_to_growth(Halfedge h) const { return has_flag(h, closed_flag); }
+  bool has_growth_costs() const { return !growth_costs_.empty(); }
+  Scalar growth_cost(Halfedge h) const { return has_growth_costs() ? growth_costs_[face(h)] : Scalar(1); }
   Halfedge first_corner(Vertex v) const { return first_corners_[v]; }
 
-  /// Beyond an edge: where that is the face across, its apex and the halfedge that starts there; else NaN.
+  /// Beyond an edge: where limbs of one patch may go on there, the apex of the face across and the halfedge that starts
+  /// at it; else NaN.
   struct Beyond
   {
     const Vec3<Scalar>& apex;
@@ -132,7 +147,7 @@ public:
   Beyond beyond(Halfedge h) const
   {
     const Halfedge third = thirds_across_[slot(h)];
-    return third == null_halfedge() ? Beyond{nowhere_, h} : Beyond{points_[sources_[slot(third)]], third};
+    return third >= first_flagged ? Beyond{nowhere_, h} : Beyond{points_[sources_[slot(third)]], third};
   }
 
   /// returns the halfedge that leads to the start of another one in its triangle.
@@ -145,12 +160,23 @@ public:
   }
 
 private:
+  // Set in `thirds_across_`, so that a single comparison tells where a limb of one patch can go on.
+  static constexpr Halfedge first_flagged = 1u << 30, closed_flag = first_flagged, feature_flag = 1u << 31;
+
+  bool has_flag(Halfedge h, Halfedge flag) const
+  {
+    const Halfedge third = thirds_across_[slot(h)];
+    return third != null_halfedge() && (third & flag) != 0;
+  }
+
   static Halfedge following(Halfedge h) { return (h & 3) == 2 ? h - 2 : h + 1; }
   static Halfedge slot(Halfedge h) { return h - (h >> 2); } ///< 3f, 3f + 1 or 3f + 2: no place is left out
 
   std::vector<Vertex> sources_;
   std::vector<Halfedge> thirds_across_; ///< for each halfedge, the third edge of the face across, which starts at its apex
   std::vector<Halfedge> first_corners_;
+  std::vector<Scalar> growth_costs_; ///< per face; none if all are 1
+  bool stars_are_patches_ = false;
   std::vector<Vec3<Scalar>> points_;
   Vec3<Scalar> nowhere_ = nan_vec3<Scalar>();
 };

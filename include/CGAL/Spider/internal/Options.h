@@ -7,41 +7,25 @@
 #ifndef CGAL_SPIDER_INTERNAL_OPTIONS_H
 #define CGAL_SPIDER_INTERNAL_OPTIONS_H
 
+#include <CGAL/Spider/internal/Limb_rule.h>
 #include <CGAL/Spider/internal/Spider_fit.h>
+#include <CGAL/Spider/internal/check_parameter.h>
 #include <CGAL/Spider/parameters.h>
 
+#include <CGAL/number_utils.h>
+
 #include <cmath>
-#include <sstream>
-#include <stdexcept>
 #include <type_traits>
 
 namespace CGAL {
 namespace Spider {
 namespace internal {
 
-/// throws unless a parameter's value is one that its remedy asks for.
-template <typename Value>
-void check_parameter(bool is_valid, const char* name, const Value& value, const char* remedy)
-{
-  if(is_valid)
-    return;
-  std::ostringstream message;
-  message << "Spider: " << name << " is " << value << ": " << remedy;
-  throw std::invalid_argument(message.str());
-}
-
-template <typename Scalar>
-void check_radius(Scalar radius)
-{
-  check_parameter(radius > 0 && std::isfinite(radius), "geodesic_radius", radius,
-                  "give a positive, finite length in the mesh's units, for example 4 mean edge lengths");
-}
-
 template <typename Scalar>
 struct Options
 {
   Estimator estimator;
-  Limb_measure limb_measure;
+  Limb_rule<Scalar> limb_rule;
   int number_of_directions;                  ///< over a half turn; 0: as many as the radius asks for
   int polynomial_degree = 2;                 ///< (paper, 2.6)
   Scalar resampling_step = Scalar(0.1);      ///< in units of the radius (paper, 2.6)
@@ -51,7 +35,7 @@ struct Options
   Scalar mean_edge_length = nan<Scalar>();   ///< only known where number_of_directions is 0
 
   explicit Options(Estimator of)
-    : estimator(of), limb_measure(of == section_fit ? arc_length : tangential_distance),
+    : estimator(of), limb_rule(of == section_fit ? arc_length : tangential_distance),
       number_of_directions(of == section_fit ? 64 : 0), // (paper, 2.6)
       convergence_angle(of == section_fit ? Scalar(1e-3) : Scalar(0.3))
   {
@@ -84,7 +68,7 @@ Options<Scalar> read_options(const NamedParameters& np, Estimator default_estima
 
   Options<Scalar> options(choose_parameter(get_parameter(np, tags::estimator), default_estimator));
   const Options<Scalar> defaults = options;
-  options.limb_measure = choose_parameter(get_parameter(np, tags::limb_measure), defaults.limb_measure);
+  options.limb_rule.measure = choose_parameter(get_parameter(np, tags::limb_measure), defaults.limb_rule.measure);
   options.first_normal = choose_parameter(get_parameter(np, tags::first_normal), defaults.first_normal);
 
   const auto given_directions = get_parameter(np, tags::number_of_directions);
@@ -123,6 +107,12 @@ Options<Scalar> read_options(const NamedParameters& np, Estimator default_estima
     real(choose_parameter(get_parameter(np, tags::convergence_angle), defaults.convergence_angle));
   check_parameter(options.convergence_angle >= 0, "convergence_angle", options.convergence_angle,
                   "give an angle in radians that is not negative");
+
+  const Scalar crossing_angle =
+    real(choose_parameter(get_parameter(np, tags::minimum_crossing_angle), Scalar(30))); // degrees
+  check_parameter(crossing_angle >= 0 && crossing_angle <= 90, "minimum_crossing_angle", crossing_angle,
+                  "give an angle from 0 to 90 degrees");
+  options.limb_rule.sine_of_minimum_crossing_angle = std::sin(crossing_angle * Scalar(CGAL_PI / 180));
   return options;
 }
 

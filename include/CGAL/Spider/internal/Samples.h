@@ -47,7 +47,7 @@ template <typename View>
 Walk_result<View> sample_limb(const View& view,
                               const Site<View>& site,
                               const Cut<typename View::Scalar>& cut,
-                              Limb_measure measure,
+                              const Limb_rule<typename View::Scalar>& rule,
                               typename View::Scalar resampling_step,
                               int sign,
                               std::vector<Sample<typename View::Scalar>>& samples)
@@ -56,7 +56,7 @@ Walk_result<View> sample_limb(const View& view,
   Scalar y = 0, z = 0, reached = 0;
   Sample<Scalar> end{0, 0}; // where most was reached: a limb may turn back before it ends
   std::size_t count = 0;
-  const Walk_result<View> result = walk_limb(view, site, cut, measure, [&](const Step<View>& step) {
+  const Walk_result<View> result = walk_limb(view, site, cut, rule, [&](const Step<View>& step) {
     sample_segment(step.from, step.to, resampling_step, count, [&](Scalar share) {
       samples.push_back({sign * (y + share * (step.y - y)), z + share * (step.z - z)});
     });

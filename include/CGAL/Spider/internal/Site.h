@@ -5,6 +5,7 @@
 #ifndef CGAL_SPIDER_INTERNAL_SITE_H
 #define CGAL_SPIDER_INTERNAL_SITE_H
 
+#include <CGAL/Spider/Limb_3.h>
 #include <CGAL/Spider/internal/numbers.h>
 
 #include <algorithm>
@@ -28,51 +29,65 @@ struct Site
   Vec3<Scalar> point = nan_vec3<Scalar>();
   Vec3<Scalar> reference = nan_vec3<Scalar>(); ///< a direction that moves with the mesh; spiders start at it
   std::vector<typename View::Halfedge> rim;    ///< edges, seen from within, that bound the union of the faces around it
-  bool on_border = false;
+  Limb_end end_at_once = degenerate;           ///< how a limb ends for which there is none of these faces
   std::array<typename View::Vertex, 3> vertices{}; ///< what an attribute of the vertices is interpolated from ...
   std::array<Scalar, 3> weights{};                 ///< ... and by which weights
 };
 
-/// calls `visit(corner)` for the halfedge from a vertex into each incident face, given one of them; returns whether the
-/// vertex is on the border.
+/// returns why a star ends with an edge.
+template <typename View>
+Limb_end end_of_star_at(const View& view, typename View::Halfedge h)
+{
+  return view.opposite(h) == View::null_halfedge() ? border : feature_edge;
+}
+
+/// calls `visit(corner)` for the halfedge from a vertex into each face of its star, given one of them; returns why the
+/// star ends, `degenerate` if it goes all around.
 template <typename View, typename Visitor>
-bool visit_corners(const View& view, typename View::Halfedge first, Visitor&& visit)
+Limb_end visit_corners(const View& view, typename View::Halfedge first, Visitor&& visit)
 {
   using Halfedge = typename View::Halfedge;
-  Halfedge corner = first;
+  Halfedge corner = first, last = first;
   do // counter-clockwise ...
   {
     visit(corner);
-    corner = view.opposite(view.other_edges(corner).second);
+    last = view.other_edges(corner).second;
+    corner = view.opposite_in_star(last);
   } while(corner != first && corner != View::null_halfedge());
   if(corner == first)
-    return false;
+    return degenerate;
 
-  for(Halfedge incoming = view.opposite(first); incoming != View::null_halfedge();) // ... and from there clockwise
+  for(Halfedge incoming = view.opposite_in_star(first); incoming != View::null_halfedge();) // ... and then clockwise
   {
     corner = view.other_edges(incoming).first;
     visit(corner);
-    incoming = view.opposite(corner);
+    incoming = view.opposite_in_star(corner);
   }
-  return true;
+  return end_of_star_at(view, last);
 }
 
+/// returns the site at a vertex, given a corner of the star, or `null_halfedge()` for an isolated vertex.
 template <typename View>
-Site<View> site_at_vertex(const View& view, typename View::Vertex v)
+Site<View> site_at_corner(const View& view, typename View::Vertex v, typename View::Halfedge first)
 {
   Site<View> site;
   site.point = view.point(v);
   site.vertices = {v, v, v};
   site.weights = {1, 0, 0};
-  const typename View::Halfedge first = view.first_corner(v);
   if(first == View::null_halfedge())
     return site;
   const auto opposite_edge = [&](typename View::Halfedge corner) { return view.other_edges(corner).first; };
   const typename View::Halfedge edge = opposite_edge(first);
   site.reference = (view.point(view.source(edge)) - site.point) + (view.point(view.target(edge)) - site.point);
-  site.on_border =
+  site.end_at_once =
     visit_corners(view, first, [&](typename View::Halfedge corner) { site.rim.push_back(opposite_edge(corner)); });
   return site;
+}
+
+template <typename View>
+Site<View> site_at_vertex(const View& view, typename View::Vertex v)
+{
+  return site_at_corner(view, v, view.first_corner(v));
 }
 
 template <typename View>
@@ -87,11 +102,11 @@ Site<View> site_on_edge(const View& view, typename View::Halfedge h, typename Vi
   site.point = view.point(a) + (1 - weight) * site.reference;
   site.vertices = {a, b, b};
   site.weights = {weight, 1 - weight, 0};
-  for(typename View::Halfedge side : {h, view.opposite(h)})
+  for(typename View::Halfedge side : {h, view.opposite_in_star(h)})
   {
     if(side == View::null_halfedge())
     {
-      site.on_border = true;
+      site.end_at_once = end_of_star_at(view, h);
       continue;
     }
     const auto [second, third] = view.other_edges(side);
@@ -159,7 +174,18 @@ std::array<Scalar, 3> checked_barycentric_coordinates(std::array<Scalar, 3> weig
   return weights;
 }
 
+/// returns the site at the vertex of a corner, with the star's part that the corner's face belongs to.
+template <typename View>
+Site<View> site_at_vertex_of_face(const View& view, typename View::Halfedge corner)
+{
+  const Site<View> site = site_at_vertex(view, view.source(corner));
+  const typename View::Halfedge opposite_edge = view.other_edges(corner).first;
+  const bool is_part = std::find(site.rim.begin(), site.rim.end(), opposite_edge) != site.rim.end();
+  return is_part ? site : site_at_corner(view, view.source(corner), corner);
+}
+
 /// resolves a `PMP::Face_location`: coordinates belong to the source of the face's halfedge and to the next two vertices.
+/// On a feature edge, the location's face tells which side is meant.
 template <typename View>
 Site<View> site_at_location(const View& view,
                             typename View::Face f,
@@ -171,7 +197,7 @@ Site<View> site_at_location(const View& view,
   const std::array<typename View::Halfedge, 3> edges = {h, second, third};
   for(int i = 0; i < 3; ++i)
     if(weights[i] == 1)
-      return site_at_vertex(view, view.source(edges[i]));
+      return site_at_vertex_of_face(view, edges[i]);
   for(int i = 0; i < 3; ++i)
     if(weights[(i + 2) % 3] == 0) // edges[i] leads from vertex i to vertex i + 1
       return site_on_edge(view, edges[i], weights[i]);

@@ -95,8 +95,8 @@ auto build_limb(const Inputs& inputs,
       append(last);
     kept_length = length;
   };
-  const Walk_result<View> walk = walk_limb(inputs.view, query.site, cut, inputs.options.limb_measure, extend);
-  limb.length = walk.end == radius_reached && inputs.options.limb_measure == arc_length
+  const Walk_result<View> walk = walk_limb(inputs.view, query.site, cut, inputs.options.limb_rule, extend);
+  limb.length = walk.end == radius_reached && inputs.options.limb_rule.measure == arc_length
                   ? static_cast<typename Limb::FT>(query.radius) // what the walk cut it to, but for rounding
                   : static_cast<typename Limb::FT>(length * query.radius);
   limb.end = walk.end;

@@ -39,7 +39,7 @@ void sample_direction(const View& view,
   {
     const Cut<Scalar> cut(local, sign * std::cos(angle), sign * std::sin(angle));
     const Walk_result<View> walk =
-      sample_limb(view, site, cut, options.limb_measure, options.resampling_step, sign, samples);
+      sample_limb(view, site, cut, options.limb_rule, options.resampling_step, sign, samples);
     extent.add(walk.reached, walk.end);
   }
 }

@@ -93,7 +93,7 @@ public:
     {
       const int count = std::min(directions_.number_of_limbs - static_cast<int>(i) * number_of_lanes, number_of_lanes);
       Limb_bundle<View> limbs(view, site, star, directions_.cosines[i], directions_.sines[i], count,
-                              options_.limb_measure);
+                              options_.limb_rule.measure);
       number_of_segments += sample(limbs, origin, bundles_[i]);
       for(int limb = 0; limb < count; ++limb)
         extent.add(limbs.reached(limb), limbs.end(limb));

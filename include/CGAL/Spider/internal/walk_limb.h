@@ -9,6 +9,8 @@
 
 #include <CGAL/Spider/Limb_3.h>
 #include <CGAL/Spider/internal/Cut.h>
+#include <CGAL/Spider/internal/Growth_limit.h>
+#include <CGAL/Spider/internal/Limb_rule.h>
 #include <CGAL/Spider/internal/Site.h>
 #include <CGAL/Spider/internal/numbers.h>
 #include <CGAL/Spider/parameters.h>
@@ -57,6 +59,9 @@ public:
 
   Scalar reached() const { return reached_; }
 
+  /// has the following segments cost as many times their length.
+  void enter_face_of(Scalar cost) { limit_.enter(cost, reached_); }
+
   /// takes the segment to (`y`, `z`), calls `visit(step)` and tells how the limb ends with it, if it does.
   template <typename Visitor>
   std::optional<Limb_end>
@@ -67,40 +72,51 @@ public:
       return degenerate;
     const Scalar from = measure_ == arc_length ? reached_ : y_;
     const Scalar to = measure_ == arc_length ? reached_ + step : y;
-    const bool is_last = to >= 1;
-    const Scalar share = is_last && to > from ? (1 - from) / (to - from) : Scalar(1);
+    const Scalar limit = limit_.limit();
+    const bool is_last = to >= limit;
+    const Scalar share = is_last && to > from ? (limit - from) / (to - from) : Scalar(1);
     y_ += share * dy;
     z_ += share * dz;
     length_ += share * step;
-    visit(Step<View>{exit, crossing, share, y_, z_, from, is_last ? Scalar(1) : to});
-    reached_ = is_last ? Scalar(1) : std::max(reached_, to);
+    visit(Step<View>{exit, crossing, share, y_, z_, from, is_last ? limit : to});
+    reached_ = is_last ? limit : std::max(reached_, to);
     if(is_last)
-      return radius_reached;
+      return limit < 1 ? slowed : radius_reached;
     return length_ > longest_limb_in_radii ? std::make_optional(slowed) : std::nullopt;
   }
 
 private:
   Limb_measure measure_;
+  Growth_limit<Scalar> limit_;
   Scalar y_ = 0, z_ = 0, length_ = 0, reached_ = 0;
 };
 
-/// walks a limb and calls `visit(step)` for every segment of it. Linear in the number of faces crossed.
+/// walks a limb and calls `visit(step)` for every segment of it. It stops at an edge beyond which there is no face, at
+/// a feature edge that is far enough from parallel, and at a face of infinite cost. Linear in the number of faces crossed.
 template <typename View, typename Visitor>
 Walk_result<View> walk_limb(const View& view,
                             const Site<View>& site,
                             Cut<typename View::Scalar> cut,
-                            Limb_measure measure,
+                            const Limb_rule<typename View::Scalar>& rule,
                             Visitor&& visit)
 {
   using Scalar = typename View::Scalar;
   Exit<View> exit = first_exit_either_way(view, site, cut);
   if(!exit.exists())
-    return {site.on_border ? border : degenerate};
+    return {site.end_at_once};
 
   const typename View::Halfedge first_edge = exit.edge, none = View::null_halfedge();
-  Limb_growth<View> growth(measure);
+  Limb_growth<View> growth(rule.measure);
+  typename View::Halfedge entry = none;
   while(true)
   {
+    if(view.has_growth_costs())
+    {
+      const Scalar cost = view.growth_cost(exit.edge);
+      if(!std::isfinite(cost))
+        return {slowed, entry, growth.reached()};
+      growth.enter_face_of(cost);
+    }
     const Scalar c = exit.crossing();
     const Scalar y = exit.source.y + c * (exit.target.y - exit.source.y);
     const Scalar z = exit.source.z + c * (exit.target.z - exit.source.z);
@@ -110,11 +126,14 @@ Walk_result<View> walk_limb(const View& view,
     const Exit<View> next = next_exit(view, cut, exit);
     if(!next.exists())
       return {border, exit.edge, growth.reached()};
+    if(view.is_feature(exit.edge) && exit.sine_of_angle() >= rule.sine_of_minimum_crossing_angle)
+      return {feature_edge, exit.edge, growth.reached()};
     if(next.edge == first_edge) // the section is closed, and the query point is where it closes
     {
       const auto end = growth.take(nullptr, Scalar(0), Scalar(0), Scalar(0), visit);
       return {end.value_or(degenerate), none, growth.reached()};
     }
+    entry = exit.edge;
     exit = next;
   }
 }

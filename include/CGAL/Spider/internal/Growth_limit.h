@@ -1,0 +1,39 @@
+// Copyright (c) 2026 The Spider developers.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPIDER_INTERNAL_GROWTH_LIMIT_H
+#define CGAL_SPIDER_INTERNAL_GROWTH_LIMIT_H
+
+namespace CGAL {
+namespace Spider {
+namespace internal {
+
+/// How far a limb gets when length counts as many times as the face costs that it is in: length and surcharges together
+/// are at most one radius. `Value` is a number, or several in lanes.
+template <typename Value>
+class Growth_limit
+{
+public:
+  /// returns what the measure will say where the limb ends, should that be in this face; 1 if no face costs more than 1.
+  const Value& limit() const { return limit_; }
+
+  /// enters a face of a finite cost when the measure says `reached`.
+  void enter(const Value& cost, const Value& reached)
+  {
+    surcharge_ = surcharge_ + (cost_ - Value(1)) * (reached - entered_at_);
+    entered_at_ = reached;
+    cost_ = cost;
+    limit_ = (Value(1) - surcharge_ + (cost - Value(1)) * reached) / cost; // exactly 1 as long as faces cost 1
+  }
+
+private:
+  Value limit_ = Value(1), cost_ = Value(1), entered_at_ = Value(0);
+  Value surcharge_ = Value(0); ///< what all faces before this one cost beyond length
+};
+
+} // namespace internal
+} // namespace Spider
+} // namespace CGAL
+
+#endif // CGAL_SPIDER_INTERNAL_GROWTH_LIMIT_H
