@@ -11,6 +11,7 @@
 #include <CGAL/for_each.h>
 #include <CGAL/tags.h>
 
+#include <boost/range/counting_range.hpp>
 #include <boost/timer/progress_display.hpp>
 
 #include <algorithm>
@@ -22,11 +23,12 @@ namespace CGAL {
 namespace Spider {
 namespace demo {
 
-// calls f(v) for every vertex, on all cores where TBB is there, under a bar that shows how far the work is. Returns the
-// seconds that it took.
-template <typename Function>
-double for_each_vertex(const Mesh& mesh, const std::string& title, const Function& f)
+// calls worker(v) for every vertex, on all cores where TBB is there, under a bar that shows how far the work is; workers
+// are made by make_worker(), each for one thread and many vertices. Returns the seconds that it took.
+template <typename MakeWorker>
+double for_each_vertex(const Mesh& mesh, const std::string& title, const MakeWorker& make_worker)
 {
+  constexpr std::size_t vertices_per_worker = 128; // enough to make a worker worth it
   // as many parts as the bar has ticks
   constexpr std::size_t number_of_parts = 50;
 
@@ -38,9 +40,13 @@ double for_each_vertex(const Mesh& mesh, const std::string& title, const Functio
   {
     const std::size_t begin = part * vertices.size() / number_of_parts;
     const std::size_t end = (part + 1) * vertices.size() / number_of_parts;
-    const auto vertices_of_part = CGAL::make_range(vertices.begin() + begin, vertices.begin() + end);
-    CGAL::for_each<CGAL::Parallel_if_available_tag>(vertices_of_part, [&f](const Vertex& v) {
-      f(v);
+    const std::size_t number_of_workers = (end - begin + vertices_per_worker - 1) / vertices_per_worker;
+    const auto numbers = boost::counting_range(std::size_t(0), number_of_workers);
+    CGAL::for_each<CGAL::Parallel_if_available_tag>(numbers, [&](std::size_t number) {
+      auto worker = make_worker();
+      const std::size_t first = begin + number * vertices_per_worker, last = std::min(first + vertices_per_worker, end);
+      for(std::size_t i = first; i < last; ++i)
+        worker(vertices[i]);
       return true; // CGAL's word for: go on
     });
     progress += end - begin;

@@ -57,7 +57,9 @@ demo::Run<demo::Estimate> run_spider(const Mesh& mesh, double radius)
   preparation.start();
   const Spider::Curvature_estimator estimator(mesh, Spider::parameters::geodesic_radius(radius));
   run.seconds = preparation.time();
-  run.seconds += demo::for_each_vertex(mesh, "Spider", [&](Vertex v) { run.answers[v] = estimator(v); });
+  run.seconds += demo::for_each_vertex(mesh, "Spider", [&] {
+    return [&, worker = estimator.worker()](Vertex v) mutable { run.answers[v] = worker(v); };
+  });
   return run;
 }
 
@@ -66,7 +68,9 @@ demo::Run<demo::Jet_estimate> run_jets(const Mesh& mesh, double radius)
 {
   demo::Run<demo::Jet_estimate> run{std::vector<demo::Jet_estimate>(mesh.num_vertices()), 0};
   const demo::Jet_estimator estimator(mesh, radius);
-  run.seconds = demo::for_each_vertex(mesh, "Jet fitting", [&](Vertex v) { run.answers[v] = estimator(v); });
+  run.seconds = demo::for_each_vertex(mesh, "Jet fitting", [&] {
+    return [&](Vertex v) { run.answers[v] = estimator(v); };
+  });
   return run;
 }
 

@@ -127,3 +127,21 @@ TEST(surface_fit, reproduces_a_quadric_from_inside_a_face)
     EXPECT_NEAR(e.mean_curvature(), mean_curvature(height(2, p.x(), p.y())), 1e-8 / radius);
   }
 }
+
+TEST(surface_fit, takes_half_of_a_radius_that_is_larger_than_the_surface)
+{
+  constexpr double sphere_radius = 0.5;
+  const Mesh sphere = meshes::icosphere<Mesh>(3, sphere_radius);
+  for(double larger : {1.2, 2., 5.})
+  {
+    const auto np = params::geodesic_radius(larger * sphere_radius);
+    const Spider::Curvature_estimator estimator(sphere, np);
+    for(Vertex v : sphere.vertices())
+    {
+      const Estimate e = estimator(v);
+      EXPECT_EQ(e.status, Spider::partial);
+      EXPECT_LE(e.coverage, 0.5);
+      EXPECT_NEAR(e.mean_curvature() * sphere_radius, 1, 0.2) << larger; // a quadric on half of a half sphere and more
+    }
+  }
+}

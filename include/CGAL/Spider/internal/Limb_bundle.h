@@ -55,7 +55,8 @@ public:
               int number_of_limbs,
               Limb_measure measure)
     : view_(view), local_(star.local), at_(view, site, star, cosines, sines), first_edge_(at_.edge),
-      checkpoint_(at_.edge), by_arc_length_(measure == arc_length), y_(0), z_(0), length_(0), reached_(0)
+      checkpoint_(at_.edge), by_arc_length_(measure == arc_length), y_(0), z_(0), length_(0),
+      height_(0), reached_(0)
   {
     Values is_limb(1);
     for(int l = number_of_limbs; l < number_of_lanes; ++l)
@@ -87,6 +88,8 @@ public:
 
   Scalar reached(int lane) const { return reached_[lane]; }
   Limb_end end(int lane) const { return end_[lane]; }
+  /// tells whether a limb has led farther from the tangent plane than along it.
+  bool climbs(int lane) const { return height_[lane] > reached_[lane]; }
   const Values& end_along_direction() const { return y_; }
   Values is_complete() const
   {
@@ -125,6 +128,7 @@ private:
     y_ = y_ + share * y_step;
     z_ = z_ + share * z_step;
     length_ = length_ + share * step;
+    height_ = larger(height_, absolute(z_));
     reached_ = select(growing_, larger(reached_, arrived), reached_);
     const Mask is_too_long = growing_ & (length_ > Values(longest_limb_in_radii)), ended = is_last | is_too_long;
     if(ended.any())
@@ -240,7 +244,7 @@ private:
   std::array<Halfedge, number_of_lanes> first_edge_, checkpoint_;
   bool by_arc_length_;
   Values y_, z_; ///< where the limb is, along its direction and the normal
-  Values length_, reached_;
+  Values length_, height_, reached_; ///< how long it is, how far from the tangent plane it was, and how far it came
   Growth_limit<Values> limit_;
   Mask growing_, closed_;
   std::array<Limb_end, number_of_lanes> end_;

@@ -50,20 +50,21 @@ public:
     if(!(radius > 0) || !std::isfinite(radius) || !first_normal.allFinite())
       return estimate;
 
+    Scalar reach = radius; // of this spider: less than the radius where that leads over walls
     for(int round = 0; round < options_.number_of_iterations; ++round)
     {
       const Spider_frame<Scalar> frame(estimate.normal, site.reference);
       Spider_extent<Scalar> extent;
-      const Spider_fit<Scalar> fit = fit_(view_, site, frame, radius, extent);
-      const Scalar coverage = extent.reached / (2 * options_.number_of_directions_at(radius));
+      const Spider_fit<Scalar> fit = fit_within_walls(site, frame, reach, extent);
+      const Scalar coverage = extent.reached / Scalar(extent.number_of_limbs) * (reach / radius);
       if(round == 0)
         estimate.coverage = coverage;
-      if(!fit.determined || (Fit::rests_at_best_fit && !(fit.residual * radius < estimate.residual) && round > 0))
+      if(!fit.determined || (Fit::rests_at_best_fit && !(fit.residual * reach < estimate.residual) && round > 0))
         break; // the last round's answer stays
       estimate.coverage = coverage;
-      estimate.status = extent.is_complete && fit.is_whole ? ok : partial;
+      estimate.status = extent.is_complete && fit.is_whole && !(reach < radius) ? ok : partial;
       const Vec3<Scalar> previous = estimate.normal;
-      take(fit, frame, radius, estimate);
+      take(fit, frame, reach, estimate);
       if(angle_between(previous, estimate.normal) <= options_.convergence_angle)
         break;
     }
@@ -71,6 +72,38 @@ public:
   }
 
 private:
+  /// grows a spider and fits it. Where most limbs climb walls, the surface is smaller than the reach, as a sphere may
+  /// be: there the spider is grown again with half of it, and half of that.
+  Spider_fit<Scalar> fit_within_walls(const Site<View>& site,
+                                      const Spider_frame<Scalar>& frame,
+                                      Scalar& reach,
+                                      Spider_extent<Scalar>& extent)
+  {
+    constexpr int most_halvings = 6;
+    // Were it noise that limbs climb, the misfit would be as large at any reach; but where few vertices are, anything fits.
+    constexpr Scalar same_misfit = Scalar(0.25);
+    constexpr Scalar fewest_segments_per_limb = Scalar(2.5);
+    const Spider_fit<Scalar> fit = fit_(view_, site, frame, reach, extent);
+    bool is_walled_in = extent.is_walled_in();
+    Scalar smaller_reach = reach;
+    for(int i = 0; i < most_halvings && is_walled_in; ++i)
+    {
+      smaller_reach /= 2;
+      Spider_extent<Scalar> smaller_extent;
+      const Spider_fit<Scalar> smaller_fit = fit_(view_, site, frame, smaller_reach, smaller_extent);
+      is_walled_in = smaller_extent.is_walled_in();
+      if(!is_walled_in && smaller_fit.determined &&
+         smaller_extent.number_of_segments >= fewest_segments_per_limb * Scalar(smaller_extent.number_of_limbs) &&
+         !(smaller_fit.residual * smaller_reach > same_misfit * fit.residual * reach))
+      {
+        reach = smaller_reach;
+        extent = smaller_extent;
+        return smaller_fit;
+      }
+    }
+    return fit;
+  }
+
   static void
   take(const Spider_fit<Scalar>& fit, const Spider_frame<Scalar>& frame, Scalar radius, Estimate<Scalar>& estimate)
   {

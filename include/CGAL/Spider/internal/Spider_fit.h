@@ -20,12 +20,20 @@ struct Spider_extent
 {
   Scalar reached = 0;      ///< by all limbs together, in units of the radius
   bool is_complete = true; ///< all limbs reached the radius
+  int number_of_limbs = 0, number_of_walls = 0;
+  Scalar number_of_segments = 0; ///< of all limbs together, where the estimator counts them
 
-  void add(Scalar reached_by_limb, Limb_end end)
+  /// adds a limb. `climbs` tells that it led farther from the tangent plane than along it.
+  void add(Scalar reached_by_limb, Limb_end end, bool climbs = false)
   {
     reached += reached_by_limb;
     is_complete = is_complete && end == radius_reached;
+    ++number_of_limbs;
+    number_of_walls += end != radius_reached && climbs ? 1 : 0;
   }
+
+  /// tells whether the surface turns back before the radius on most sides. Noise makes some limbs climb, too.
+  bool is_walled_in() const { return 2 * number_of_walls > number_of_limbs; }
 };
 
 /// What an estimator makes of one spider, in units of the radius. Vectors are in the coordinates (tangent, bitangent,

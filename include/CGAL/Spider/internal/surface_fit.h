@@ -88,21 +88,20 @@ public:
     const Star<View> star(view, site, Local_coordinates<Scalar>(site.point, frame, radius));
     const Functions origin = functions_at_origin(view, site, star.local);
     bundles_.resize(directions_.cosines.size());
-    Scalar number_of_segments = 0;
     for(std::size_t i = 0; i < bundles_.size(); ++i)
     {
       const int count = std::min(directions_.number_of_limbs - static_cast<int>(i) * number_of_lanes, number_of_lanes);
       Limb_bundle<View> limbs(view, site, star, directions_.cosines[i], directions_.sines[i], count,
                               options_.limb_rule.measure);
-      number_of_segments += sample(limbs, origin, bundles_[i]);
+      extent.number_of_segments += sample(limbs, origin, bundles_[i]);
       for(int limb = 0; limb < count; ++limb)
-        extent.add(limbs.reached(limb), limbs.end(limb));
+        extent.add(limbs.reached(limb), limbs.end(limb), limbs.climbs(limb));
     }
     if(!(extent.reached > 0))
       return {};
 
     // Weight on the rim is against noise. Where neglected terms show, they matter more than noise does, and it is withdrawn.
-    const Scalar length_of_segments = extent.reached / number_of_segments;
+    const Scalar length_of_segments = extent.reached / extent.number_of_segments;
     const Scalar independent_values = vertices_in_disc(length_of_segments);
     const auto without_rim = solve<Basis::fitted>(sum_of_bundles(), independent_values);
     const Values rim_weight = weight_of_rim(length_of_segments) * Values(1 - without_rim.share_of_neglected);
