@@ -32,6 +32,20 @@ enum First_normal
   sphere_section  ///< the best-fit plane of the mesh's intersection with a sphere (paper, 2.1)
 };
 
+/// How the points of a geodesic ring count for its centroid.
+enum Ring_weight
+{
+  by_limb, ///< each as much (paper, 3.1)
+  by_arc   ///< by the length of the ring that it stands for
+};
+
+/// What smoothing does to vertices on lines: borders, and constrained edges.
+enum Line_motion
+{
+  fixed_lines,  ///< they stay where they are
+  sliding_lines ///< they move along their lines, but for those where lines end or meet
+};
+
 /// Every named parameter that is Spider's own; CGAL's names follow them in a chain.
 #define CGAL_SPIDER_FOR_EACH_PARAMETER(DO) \
   DO(geodesic_radius)                      \
@@ -43,7 +57,12 @@ enum First_normal
   DO(convergence_angle)                    \
   DO(first_normal)                         \
   DO(minimum_crossing_angle)               \
-  DO(growth_cost_map)
+  DO(growth_cost_map)                      \
+  DO(smoothing_factor)                     \
+  DO(ring_weight)                          \
+  DO(line_motion)                          \
+  DO(keep_volume)                          \
+  DO(convergence_displacement)
 
 namespace internal_np {
 

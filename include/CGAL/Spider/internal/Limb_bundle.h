@@ -91,6 +91,7 @@ public:
   /// tells whether a limb has led farther from the tangent plane than along it.
   bool climbs(int lane) const { return height_[lane] > reached_[lane]; }
   const Values& end_along_direction() const { return y_; }
+  const Values& end_along_normal() const { return z_; }
   Values is_complete() const
   {
     Values complete;

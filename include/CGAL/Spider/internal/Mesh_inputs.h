@@ -95,6 +95,7 @@ public:
   using Scalar = typename View::Scalar;
   using Vertex = typename View::Vertex;
 
+  static constexpr bool has_radius = is_given<Given<Spider::internal_np::geodesic_radius_t>>;
   static constexpr bool has_given_normals = is_given<Given<CGAL::internal_np::vertex_normal_map_t>>;
 
   /// `default_estimator` is the one whose defaults hold where no estimator is named.
@@ -142,7 +143,6 @@ public:
   View view;
 
 private:
-  static constexpr bool has_radius = is_given<Given<Spider::internal_np::geodesic_radius_t>>;
 
   Scalar read_radius() const
   {

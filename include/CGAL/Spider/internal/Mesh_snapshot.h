@@ -116,11 +116,14 @@ public:
   static constexpr Face null_face() { return std::numeric_limits<Face>::max(); }
 
   std::size_t number_of_vertices() const { return points_.size(); }
+  std::size_t number_of_faces() const { return sources_.size() / 3; }
   Vertex source(Halfedge h) const { return sources_[slot(h)]; }
   Vertex target(Halfedge h) const { return sources_[slot(following(h))]; }
   Halfedge halfedge(Face f) const { return 4 * f; }
   Face face(Halfedge h) const { return h / 4; }
   const Vec3<Scalar>& point(Vertex v) const { return points_[v]; }
+  const std::vector<Vec3<Scalar>>& points() const { return points_; }
+  void move_to(std::vector<Vec3<Scalar>> points) { points_ = std::move(points); }
   Halfedge opposite(Halfedge h) const
   {
     const Halfedge third = thirds_across_[slot(h)];

@@ -19,6 +19,7 @@
 #define CGAL_SPIDER_INTERNAL_SURFACE_FIT_H
 
 #include <CGAL/Spider/internal/Limb_bundle.h>
+#include <CGAL/Spider/internal/Limb_directions.h>
 #include <CGAL/Spider/internal/Limb_moments.h>
 #include <CGAL/Spider/internal/Options.h>
 #include <CGAL/Spider/internal/Spider_fit.h>
@@ -36,29 +37,6 @@
 namespace CGAL {
 namespace Spider {
 namespace internal {
-
-/// The directions of all limbs of a spider, a bundle at a time.
-template <typename Scalar>
-struct Limb_directions
-{
-  int number_of_limbs = 0;
-  std::vector<Lanes<Scalar>> cosines, sines;
-
-  void set(int number_of_directions)
-  {
-    if(number_of_limbs == 2 * number_of_directions)
-      return;
-    number_of_limbs = 2 * number_of_directions;
-    cosines.assign((number_of_limbs + number_of_lanes - 1) / number_of_lanes, Lanes<Scalar>(1));
-    sines.assign(cosines.size(), Lanes<Scalar>(0));
-    for(int i = 0; i < number_of_limbs; ++i)
-    {
-      const Scalar angle = angle_of_direction<Scalar>(i, number_of_directions);
-      cosines[i / number_of_lanes].set(i % number_of_lanes, std::cos(angle));
-      sines[i / number_of_lanes].set(i % number_of_lanes, std::sin(angle));
-    }
-  }
-};
 
 /// `surface_fit` by a height field of the given degree.
 template <typename View, int Degree>
@@ -90,7 +68,7 @@ public:
     bundles_.resize(directions_.cosines.size());
     for(std::size_t i = 0; i < bundles_.size(); ++i)
     {
-      const int count = std::min(directions_.number_of_limbs - static_cast<int>(i) * number_of_lanes, number_of_lanes);
+      const int count = directions_.limbs_in_bundle(i);
       Limb_bundle<View> limbs(view, site, star, directions_.cosines[i], directions_.sines[i], count,
                               options_.limb_rule.measure);
       extent.number_of_segments += sample(limbs, origin, bundles_[i]);
