@@ -38,10 +38,10 @@ struct Isoline_3
   using Face_location = std::pair<typename boost::graph_traits<TriangleMesh>::face_descriptor, std::array<FT, 3>>;
 
   std::vector<Point_3> points; ///< at least two; a closed line repeats its first point at its end
-  /// where each of `points` is on the mesh: the segment behind point `i` runs in the face `locations[i].first`, and the
-  /// last location is in the face of the last segment.
+  /// where each of `points` is on the mesh: the segment from point `i` to the next runs in the face
+  /// `locations[i].first`, and the last location is in the face of the last segment.
   std::vector<Face_location> locations;
-  bool is_closed = false; ///< whether the line has no ends; those that have end at borders, and where a scalar is missing
+  bool is_closed = false; ///< lines that aren't closed end at borders, and where there is no finite scalar
 };
 
 } // namespace Spider

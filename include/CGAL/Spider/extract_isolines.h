@@ -59,8 +59,7 @@ public:
     for(const Node& node : nodes_)
     {
       const bool is_end = &node == &nodes_.back();
-      const auto [f, weights] =
-        is_end ? level_set_.location_behind(node.first) : level_set_.location_ahead(node.last);
+      const auto [f, weights] = is_end ? level_set_.location_behind(node.first) : level_set_.location_ahead(node.last);
       result.points.push_back(node.point);
       result.locations.push_back(
         {f, {static_cast<FT>(weights[0]), static_cast<FT>(weights[1]), static_cast<FT>(weights[2])}});
@@ -103,10 +102,10 @@ each face, has the value `value` (paper, figure 10b).
 They are the outline of the part of the surface where the scalar is at least `value`, and have it on their left, as seen
 from the side to which the faces point. What that means where the value is hit exactly:
 
-- an isoline may run through vertices and along edges, and around faces that have the value all over, which count as above;
-- a peak, a ridge or a piece of border that has the value itself, with less beside it, gives no line, since there is no
-  surface above: no line degenerates to a point, and none is drawn twice. Of lows there is none anyway;
-- where several lines meet in a vertex each passes through, so lines touch, and never cross or branch.
+- an isoline may run through vertices and along edges, and around faces that have the value all over;
+- a peak, a ridge or a piece of border that has the value itself, with less beside it, gives no line, nor does a pit or a
+  valley: no line degenerates to a point, and no segment is drawn twice;
+- where several lines meet in a vertex each passes through: lines may touch, but don't cross or branch.
 
 Lines end at borders, and at faces with a corner where the scalar is infinite or not a number. All others are closed.
 It takes time linear in the size of the mesh.

@@ -41,7 +41,8 @@ enum First_normal
   DO(polynomial_degree)                    \
   DO(resampling_step)                      \
   DO(convergence_angle)                    \
-  DO(first_normal)
+  DO(first_normal)                         \
+  DO(flatness_threshold)
 
 namespace internal_np {
 

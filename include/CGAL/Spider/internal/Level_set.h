@@ -34,8 +34,8 @@ Scalar share_between(Scalar low, Scalar value, Scalar high)
 
 /*
 A vertex whose scalar is `value` counts as above it. So an edge is crossed or not, and each face by none or two of its
-edges: ties need no other rule, and the crossings form lines that neither branch nor break. What they draw is the outline
-of the part of the surface that is above.
+edges: ties need no other rule, and the crossings form lines that neither branch nor break. What they draw is the
+outline of the part of the surface that is above.
 
 A crossing is named by the halfedge that leads up across it: from the vertex below to the one above. The line leaves the
 face of that halfedge and enters the opposite one, so the higher side is on its left.
@@ -113,8 +113,7 @@ private:
   bool is_in_domain(Halfedge h) const
   {
     return h != View::null_halfedge() && std::isfinite(scalar(view_.source(h))) &&
-           std::isfinite(scalar(view_.target(h))) &&
-           std::isfinite(scalar(view_.target(view_.other_edges(h).first)));
+           std::isfinite(scalar(view_.target(h))) && std::isfinite(scalar(view_.target(view_.other_edges(h).first)));
   }
 
   Scalar share_of_high(Halfedge crossing) const
@@ -146,7 +145,12 @@ template <typename View, typename TriangleMesh, typename Visitor>
 void for_each_line(const Level_set<View, TriangleMesh>& level_set, const TriangleMesh& tmesh, Visitor&& visit)
 {
   using Halfedge = typename View::Halfedge;
-  enum State : char { has_no_predecessor, has_predecessor, is_done };
+  enum State : char
+  {
+    has_no_predecessor,
+    has_predecessor,
+    is_done
+  };
   std::vector<Halfedge> crossings;
   auto state = get(CGAL::dynamic_halfedge_property_t<char>(), tmesh);
   for(const Halfedge h : halfedges(tmesh))
