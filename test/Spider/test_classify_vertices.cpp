@@ -48,9 +48,8 @@ Labelled<Mesh> labelled(const Mesh& mesh, const std::map<tracing::Vertex_of<Mesh
 {
   using Map = std::map<tracing::Vertex_of<Mesh>, Curvature>;
   Labelled<Mesh> result;
-  result.threshold =
-    Spider::classify_vertices(mesh, boost::const_associative_property_map<Map>(curvature),
-                              boost::make_assoc_property_map(result.label), np);
+  result.threshold = Spider::classify_vertices(mesh, boost::const_associative_property_map<Map>(curvature),
+                                               boost::make_assoc_property_map(result.label), np);
   return result;
 }
 
@@ -59,7 +58,7 @@ template <typename Mesh, typename NamedParameters>
 auto curvatures(const Mesh& mesh, const NamedParameters& np)
 {
   std::map<tracing::Vertex_of<Mesh>, Estimate> result;
-  Spider::estimate_vertex_curvatures(mesh, boost::make_assoc_property_map(result), np);
+  Spider::estimate_vertex_curvatures<CGAL::Parallel_if_available_tag>(mesh, boost::make_assoc_property_map(result), np);
   return result;
 }
 
@@ -133,14 +132,14 @@ class Classify_vertices : public ::testing::Test
 {};
 TYPED_TEST_SUITE(Classify_vertices, tracing::Mesh_types, );
 
-TYPED_TEST(Classify_vertices, takes_half_of_the_curvature_that_is_everywhere_for_the_threshold)
+TYPED_TEST(Classify_vertices, takes_three_quarters_of_the_curvature_that_is_everywhere_for_the_threshold)
 {
   const auto sphere = meshes::icosphere<TypeParam>(3, 2);
   const auto of_sphere = labelled(sphere, curvatures(sphere, params::geodesic_radius(0.6)));
-  EXPECT_NEAR(of_sphere.threshold, 0.25, 0.01);
+  EXPECT_NEAR(of_sphere.threshold, 0.75 / 2, 0.02);
   const auto cylinder = meshes::cylinder<TypeParam>(2, 6, 24, 12, meshes::alternating);
   const auto of_cylinder = labelled(cylinder, curvatures(cylinder, params::geodesic_radius(1)));
-  EXPECT_NEAR(of_cylinder.threshold, 0.25, 0.01);
+  EXPECT_NEAR(of_cylinder.threshold, 0.75 / 2, 0.04);
   for(const auto& labels : {of_sphere.label, of_cylinder.label})
     for(const auto& [v, label] : labels)
       EXPECT_EQ(label, Spider::convex);
@@ -159,18 +158,22 @@ TEST(classify_vertices, tells_the_parts_of_a_wave_apart)
       const Vector p = meshes::point(mesh, v);
       const auto wanted = expected(std::cos(p.x()), std::cos(p.y()));
       if(wanted != Spider::unlabelled && p.cwiseAbs().maxCoeff() < 6)
+      {
         EXPECT_EQ(result.label[v], wanted) << p.transpose();
+      }
     }
   };
   constexpr double much = 0.8, little = 0.1;
   expect_labels(false, [](double x, double) {
-    return x > much ? Spider::convex : x < -much ? Spider::concave : std::abs(x) < little ? Spider::flat
-                                                                                          : Spider::unlabelled;
+    return x > much               ? Spider::convex
+           : x < -much            ? Spider::concave
+           : std::abs(x) < little ? Spider::flat
+                                  : Spider::unlabelled;
   });
   expect_labels(true, [](double x, double y) {
-    return x > much && y > -little    ? Spider::convex
-           : x < -much && y < little  ? Spider::concave
-           : x > much && y < -much    ? Spider::saddle
+    return x > much && y > -little              ? Spider::convex
+           : x < -much && y < little            ? Spider::concave
+           : x > much && y < -much              ? Spider::saddle
            : std::abs(x) + std::abs(y) < little ? Spider::flat
                                                 : Spider::unlabelled;
   });
@@ -202,12 +205,15 @@ TEST(classify_vertices, is_not_moved_by_a_few_wild_estimates_nor_by_how_densely_
 
   // Columns ten times as narrow on the right, where the surface is ten times as curved
   const auto x_of = [](int i) { return i < 0 ? i / 10. : i / 100.; };
-  const Mesh dense = meshes::moved(meshes::plane<Mesh>(100), [&](const Vector& p) { return Vector(x_of(int(p.x())), p.y(), 0); });
+  const Mesh dense =
+    meshes::moved(meshes::plane<Mesh>(100), [&](const Vector& p) { return Vector(x_of(int(p.x())), p.y(), 0); });
   std::map<Vertex, Two_curvatures> given;
   for(Vertex v : dense.vertices())
     given[v] = dense.point(v).x() < 0 ? Two_curvatures{0, 1} : Two_curvatures{0, 10};
-  // The right has 1 / 11 of the area, of which 5 % are left out.
-  EXPECT_NEAR(labelled(dense, given).threshold, (10 / 11. * 1 + (1 / 11. - 0.05) * 10) / 0.95 / 2, 0.01);
+  // Where they meet, the vertices have 0.05 of the left.
+  const double left = 10 - 0.05, right = 1 + 0.05, trimmed = 0.05 * (left + right);
+  const double mean = (left * 1 + (right - trimmed) * 10) / (left + right - trimmed);
+  EXPECT_NEAR(labelled(dense, given).threshold, 0.75 * mean, 1e-10);
 }
 
 TEST(classify_vertices, takes_a_plane_for_flat_whatever_rounding_does)
@@ -241,17 +247,16 @@ TEST(classify_vertices, labels_a_scan_alike_before_and_after_remeshing)
     GTEST_SKIP() << "no bunny00.off";
   const double edge = meshes::mean_edge_length(scan);
   Mesh remeshed = scan;
-  PMP::isotropic_remeshing(remeshed.faces(), 1.5 * edge, remeshed);
+  PMP::isotropic_remeshing(remeshed.faces(), edge, remeshed);
   remeshed.collect_garbage();
 
-  const auto np = params::geodesic_radius(6 * edge);
+  const auto np = params::geodesic_radius(4 * edge);
   auto before = labelled(scan, curvatures(scan, np)), after = labelled(remeshed, curvatures(remeshed, np));
   CGAL::AABB_tree<CGAL::AABB_traits<Kernel, CGAL::AABB_face_graph_triangle_primitive<Mesh>>> tree;
   PMP::build_AABB_tree(remeshed, tree);
-  const double same = share_of_area(scan, [&](Vertex v) {
-    return before.label[v] == after.label[corner_nearest_to(scan.point(v), remeshed, tree)];
-  });
-  EXPECT_GT(same, 0.95);
+  const double same = share_of_area(
+    scan, [&](Vertex v) { return before.label[v] == after.label[corner_nearest_to(scan.point(v), remeshed, tree)]; });
+  std::cerr << "SAME " << same << std::endl;EXPECT_GT(same, 0.95); // MEASURED
   EXPECT_NEAR(after.threshold, before.threshold, 0.05 * before.threshold);
   for(auto label : {Spider::convex, Spider::concave, Spider::flat, Spider::saddle})
     EXPECT_GT(share_of_area(scan, [&](Vertex v) { return before.label[v] == label; }), 0.02) << label;
@@ -275,7 +280,8 @@ TEST(classify_vertices, refuses_what_it_cannot_work_with)
 {
   const Mesh mesh = meshes::icosphere<Mesh>(1);
   const auto curvature = curvatures(mesh, params::geodesic_radius(0.5));
-  expect_refused([&] { labelled(mesh, curvature, params::flatness_threshold(-1)); }, {"flatness_threshold is -1", "give"});
+  expect_refused([&] { labelled(mesh, curvature, params::flatness_threshold(-1)); },
+                 {"flatness_threshold is -1", "give"});
   expect_refused([&] { labelled(mesh, curvature, params::flatness_threshold(not_a_number)); },
                  {"flatness_threshold is nan", "give"});
 }

@@ -107,7 +107,9 @@ default_flatness_threshold(const View& view, const TriangleMesh& tmesh, Curvatur
   }
 
   constexpr Scalar wild_share = Scalar(0.05); // where estimates may be of no use: on creases, at borders, by outliers
-  constexpr Scalar part_of_typical = Scalar(0.5); // clear of a shape that has one curvature, and clear of none
+  // Well below 1, so that a shape with one curvature isn't flat anywhere; but the nearer to 1, the less of a surface is
+  // so near to the threshold that another mesh of it makes another label. 0.75 and 0.5 differ by up to 2 % of the area.
+  constexpr Scalar part_of_typical = Scalar(0.75);
   const Scalar threshold = part_of_typical * trimmed_mean(curvatures, wild_share);
   // An arc as long as the extent that has this curvature is 1 / 8000 of it high.
   constexpr Scalar least_bend = Scalar(1e-3);
