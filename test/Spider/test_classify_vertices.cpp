@@ -58,7 +58,7 @@ template <typename Mesh, typename NamedParameters>
 auto curvatures(const Mesh& mesh, const NamedParameters& np)
 {
   std::map<tracing::Vertex_of<Mesh>, Estimate> result;
-  Spider::estimate_vertex_curvatures<CGAL::Parallel_if_available_tag>(mesh, boost::make_assoc_property_map(result), np);
+  Spider::estimate_vertex_curvatures(mesh, boost::make_assoc_property_map(result), np);
   return result;
 }
 
@@ -256,7 +256,7 @@ TEST(classify_vertices, labels_a_scan_alike_before_and_after_remeshing)
   PMP::build_AABB_tree(remeshed, tree);
   const double same = share_of_area(
     scan, [&](Vertex v) { return before.label[v] == after.label[corner_nearest_to(scan.point(v), remeshed, tree)]; });
-  std::cerr << "SAME " << same << std::endl;EXPECT_GT(same, 0.95); // MEASURED
+  EXPECT_GT(same, 0.95); // 0.965 measured
   EXPECT_NEAR(after.threshold, before.threshold, 0.05 * before.threshold);
   for(auto label : {Spider::convex, Spider::concave, Spider::flat, Spider::saddle})
     EXPECT_GT(share_of_area(scan, [&](Vertex v) { return before.label[v] == label; }), 0.02) << label;
