@@ -74,12 +74,12 @@ labels vertices as convex, concave, flat or saddle by their principal curvatures
 curvature counts as positive above the threshold, as negative below minus the threshold, and as none in between. So a
 ridge is convex, and a rut is concave.
 
-Unless the threshold is given, it is three quarters of the typical curvature: the mean over the area, without the most curved 5 %
-of it, of the larger of the two principal curvatures' absolute values. A mean over the area depends on the surface, and
-little on how it is meshed; a sphere or a cylinder is convex all over; and neither a few wild estimates nor small, sharp
-details move it. It grows and shrinks with the mesh, and is never less than what bends the whole surface by a
-ten-thousandth of its extent. Labels of several meshes compare only if they have one threshold, and on a surface that is
-flat but for noise no other than a given threshold tells noise from shape.
+Unless the threshold is given, it is three quarters of the typical curvature: the mean over the area, without the most
+curved 5 % of it, of the larger of the two principal curvatures' absolute values. A mean over the area depends on the
+surface, and little on how it is meshed; a sphere or a cylinder is convex all over; and neither a few wild estimates
+nor small, sharp details move it. It grows and shrinks with the mesh, and is never less than what bends the whole
+surface by a ten-thousandth of its extent. Labels of several meshes compare only if they have one threshold, and on a
+surface that is flat but for noise no other than a given threshold tells noise from shape.
 
 It takes time in \f$ O(n \log n) \f$ with \f$ n \f$ the number of vertices, and linear time with a threshold given.
 
