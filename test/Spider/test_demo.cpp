@@ -127,7 +127,7 @@ TEST(Demo_for_each_vertex, visits_every_vertex_once)
       mesh.add_vertex(Kernel::Point_3(0, 0, 0));
     std::vector<std::atomic<int>> visits(n);
     testing::internal::CaptureStderr();
-    EXPECT_GE(demo::for_each_vertex(mesh, "title", [&](Vertex v) { ++visits[v]; }), 0);
+    EXPECT_GE(demo::for_each_vertex(mesh, "title", [&] { return [&](Vertex v) { ++visits[v]; }; }), 0);
     EXPECT_EQ(testing::internal::GetCapturedStderr().find("title"), 0u);
     EXPECT_TRUE(std::all_of(visits.begin(), visits.end(), [](int count) { return count == 1; })) << n;
   }

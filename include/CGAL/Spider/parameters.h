@@ -58,6 +58,7 @@ enum Line_motion
   DO(first_normal)                         \
   DO(minimum_crossing_angle)               \
   DO(growth_cost_map)                      \
+  DO(flatness_threshold)                   \
   DO(smoothing_factor)                     \
   DO(ring_weight)                          \
   DO(line_motion)                          \

@@ -43,7 +43,7 @@ using Vec3 = Eigen::Matrix<Scalar, 3, 1>;
 template <typename Scalar, typename FT>
 Scalar to_scalar(const FT& x)
 {
-  if constexpr(std::is_floating_point<FT>::value)
+  if constexpr(std::is_arithmetic<FT>::value)
     return static_cast<Scalar>(x);
   else
     return static_cast<Scalar>(CGAL::to_double(x));
