@@ -11,6 +11,7 @@
 #include <CGAL/boost/graph/helpers.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <type_traits>
 #include <vector>
 
@@ -54,7 +55,8 @@ quarter, and so on to nothing. A round takes time linear in the number of vertic
   \cgalParamNBegin{geodesic_radius}
     \cgalParamDescription{the radius of the rings: larger ones smooth more, and blur more}
     \cgalParamType{a number, or a readable property map from vertices to numbers}
-    \cgalParamDefault{half of the mean edge length}
+    \cgalParamDefault{half of the mean length of the edges around each vertex}
+    \cgalParamExtra{the paper takes half of the mean edge length of the whole mesh (figure 11), which blurs where faces are small}
   \cgalParamNEnd
   \cgalParamNBegin{smoothing_factor}
     \cgalParamDescription{the share of the way to the ring's centroid that a vertex goes in a round}
@@ -90,7 +92,7 @@ quarter, and so on to nothing. A round takes time linear in the number of vertic
     \cgalParamDescription{whether every round ends with a step of all free vertices along their normals, of one length, by
     which a closed mesh encloses as much as at first; of no effect on other meshes}
     \cgalParamType{`bool`}
-    \cgalParamDefault{`false`}
+    \cgalParamDefault{`true`}
     \cgalParamExtra{such a step leaves constrained vertices where they are, which scaling the mesh would not}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_is_constrained_map}
@@ -148,10 +150,10 @@ auto smooth_by_geodesic_rings(TriangleMesh& tmesh, const NamedParameters& np = C
   std::vector<Scalar> radii(vertex_ranks.size());
   std::vector<bool> is_fixed(vertex_ranks.size(), false);
   const auto constrained = get_parameter(np, CGAL::internal_np::vertex_is_constrained);
-  const Scalar half_an_edge = internal::mean_edge_length(inputs.view, tmesh) / 2; // (paper, figure 11)
   for(std::size_t v = 0; v < vertex_ranks.size(); ++v)
   {
-    radii[v] = Inputs::has_radius ? inputs.radius_at(vertex_ranks[v]) : half_an_edge;
+    radii[v] = Inputs::has_radius ? inputs.radius_at(vertex_ranks[v])
+                                  : internal::mean_edge_length_at(mesh, static_cast<std::uint32_t>(v)) / 2;
     if constexpr(internal::is_given<decltype(constrained)>)
       is_fixed[v] = get(constrained, vertex_ranks[v]);
   }

@@ -13,11 +13,23 @@
 
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace CGAL {
 namespace Spider {
 namespace internal {
+
+/// returns the mean length of the edges around a vertex; 0 where there are none.
+template <typename Scalar>
+Scalar mean_edge_length_at(const Mesh_snapshot<Scalar>& mesh, std::uint32_t v)
+{
+  Scalar sum = 0;
+  const Site<Mesh_snapshot<Scalar>> site = site_at_vertex(mesh, v);
+  for(std::uint32_t edge : site.rim)
+    sum += (mesh.point(mesh.source(edge)) - site.point).stableNorm() + (mesh.point(mesh.target(edge)) - site.point).stableNorm();
+  return site.rim.empty() ? Scalar(0) : sum / Scalar(2 * site.rim.size());
+}
 
 /// Finds where a vertex goes in a round of smoothing: towards the centroid of its geodesic ring (paper, 3.1). Keeps its
 /// buffers, so every thread has its own.

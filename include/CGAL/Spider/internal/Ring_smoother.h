@@ -34,7 +34,7 @@ struct Smoothing_options
   Scalar convergence_displacement = 0;
   Ring_weight ring_weight = by_limb;
   Line_motion line_motion = fixed_lines;
-  bool keep_volume = false;
+  bool keep_volume = true;
 
   template <typename NamedParameters>
   Smoothing_options(const NamedParameters& np, const Options<Scalar>& options)
