@@ -20,11 +20,13 @@ struct Spider_extent
 {
   Scalar reached = 0;      ///< by all limbs together, in units of the radius
   bool is_complete = true; ///< all limbs reached the radius
+  bool meets_border = false;
 
   void add(Scalar reached_by_limb, Limb_end end)
   {
     reached += reached_by_limb;
     is_complete = is_complete && end == radius_reached;
+    meets_border = meets_border || end == border;
   }
 };
 
