@@ -79,37 +79,67 @@ public:
   template <typename ConcurrencyTag, typename EdgeLength>
   std::optional<Scalar> best_radius(std::vector<std::uint32_t> candidates, const EdgeLength& edge_length_at) const
   {
-    Samples samples;
+    std::vector<Climber> climbers;
+    for(std::uint32_t v : subsample(std::move(candidates), sample_size))
+      climbers.push_back({v, edge_length_at(v), nan_vec3<Scalar>(), {}});
+
     const auto make_worker = [&] {
-      return [this, &edge_length_at, engine = Estimator_engine<Snapshot>(mesh_, inputs_.options)](
-               std::uint32_t v) mutable { return climb(engine, v, edge_length_at(v)); };
+      return [this, engine = Estimator_engine<Snapshot>(mesh_, inputs_.options)](const Climber& climber) mutable {
+        return step(engine, climber);
+      };
     };
-    for_each_query<ConcurrencyTag>(subsample(std::move(candidates), sample_size), make_worker,
-                                   [&](std::uint32_t, const auto& values) { samples.push_back(values); });
-    return Error_balance<Scalar>(samples).best_radius();
+    // Large radii cost most, and where blurring has set in they needn't be tried.
+    std::optional<Error_balance<Scalar>> balance;
+    for(int k = 0; k < number_of_rungs && !(balance && balance->is_settled()); ++k)
+    {
+      std::vector<Climber> next;
+      for_each_query<ConcurrencyTag>(climbers, make_worker,
+                                     [&](const auto&, const Climber& climber) { next.push_back(climber); });
+      climbers = std::move(next);
+      balance.emplace(values_of(climbers));
+    }
+    return balance->best_radius();
   }
 
 private:
   using Vertex = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
   using Face = typename boost::graph_traits<TriangleMesh>::face_descriptor;
 
-  /// returns the estimates at a vertex up to the largest radius at which there is one that doesn't suffer from a border.
-  Rung_values<Scalar> climb(Estimator_engine<Snapshot>& engine, std::uint32_t v, Scalar edge_length) const
+  /// A vertex with its estimates so far.
+  struct Climber
   {
+    std::uint32_t vertex;
+    Scalar edge_length;
+    Vec3<Scalar> normal;
     Rung_values<Scalar> values;
-    const Site<Snapshot> site = site_at_vertex(mesh_, v);
-    Vec3<Scalar> normal = first_normal(site, rung<Scalar>(0) * edge_length);
-    for(int k = 0; k < number_of_rungs; ++k)
+    bool is_climbing = true; ///< up to the largest radius at which there is an estimate that no border spoils
+  };
+
+  Climber step(Estimator_engine<Snapshot>& engine, Climber climber) const
+  {
+    if(!climber.is_climbing)
+      return climber;
+    const Site<Snapshot> site = site_at_vertex(mesh_, climber.vertex);
+    const int k = climber.values.usable;
+    const Scalar radius = rung(Scalar(k)) * climber.edge_length;
+    const Estimate<Scalar> estimate = engine(site, radius, k == 0 ? first_normal(site, radius) : climber.normal);
+    const Scalar H = (estimate.min_curvature + estimate.max_curvature) / 2 * climber.edge_length;
+    climber.is_climbing = !estimate.meets_border && std::isfinite(H);
+    if(climber.is_climbing)
     {
-      const Estimate<Scalar> estimate = engine(site, rung(Scalar(k)) * edge_length, normal);
-      const Scalar H = (estimate.min_curvature + estimate.max_curvature) / 2 * edge_length;
-      if(estimate.meets_border || !std::isfinite(H))
-        break;
-      values.mean_curvatures[k] = H;
-      values.usable = k + 1;
-      normal = estimate.normal;
+      climber.values.mean_curvatures[k] = H;
+      climber.values.usable = k + 1;
+      climber.normal = estimate.normal;
     }
-    return values;
+    return climber;
+  }
+
+  static Samples values_of(const std::vector<Climber>& climbers)
+  {
+    Samples samples;
+    for(const Climber& climber : climbers)
+      samples.push_back(climber.values);
+    return samples;
   }
 
   Vec3<Scalar> first_normal(const Site<Snapshot>& site, Scalar radius) const
