@@ -17,6 +17,7 @@
 #include <CGAL/Spider/geodesic_ring.h>
 #include <CGAL/Spider/parameters.h>
 #include <CGAL/Spider/resample.h>
+#include <CGAL/Spider/suggest_geodesic_radius.h>
 #include <CGAL/Spider/trace_limb.h>
 #include <CGAL/Spider/trace_limbs.h>
 #include <CGAL/Spider/trace_sphere_section.h>

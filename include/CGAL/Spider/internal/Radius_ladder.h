@@ -49,8 +49,9 @@ public:
   using Result_traits = typename Inputs::Result_traits;
   using Samples = typename Error_balance<Scalar>::Samples;
 
-  /// Many enough for the mean of what noise does to be known within 10 %.
-  static constexpr std::size_t sample_size = 256;
+  /// 256 vertices are many enough for the mean of what noise does to be known within 10 %. Twice as many set out, since
+  /// borders may stop half of them.
+  static constexpr std::size_t sample_size = 512;
 
   Radius_ladder(const TriangleMesh& tmesh, const NamedParameters& np)
     : inputs_(tmesh, np, surface_fit), vertices_(vertices(tmesh)),
@@ -88,13 +89,19 @@ public:
         return step(engine, climber);
       };
     };
-    // Large radii cost most, and where blurring has set in they needn't be tried.
+    // Large radii cost most: they are for half of the sample, and where blurring has set in they needn't be tried.
+    constexpr int cheap_rungs = 3;
     std::optional<Error_balance<Scalar>> balance;
     for(int k = 0; k < number_of_rungs && !(balance && balance->is_settled()); ++k)
     {
       std::vector<Climber> next;
-      for_each_query<ConcurrencyTag>(climbers, make_worker,
-                                     [&](const auto&, const Climber& climber) { next.push_back(climber); });
+      std::size_t room = k + 1 < cheap_rungs ? sample_size : sample_size / 2;
+      for_each_query<ConcurrencyTag>(climbers, make_worker, [&](const auto&, const Climber& climber) {
+        if(climber.is_climbing && room == 0)
+          return;
+        next.push_back(climber);
+        room -= climber.is_climbing;
+      });
       climbers = std::move(next);
       balance.emplace(values_of(climbers));
     }

@@ -93,7 +93,8 @@ std::vector<Radius_at_density<Scalar>> best_radii(const Ladder& ladder, const st
   for(std::size_t i = 0; i < classes; ++i)
   {
     const auto from = order.begin() + i * order.size() / classes, to = order.begin() + (i + 1) * order.size() / classes;
-    const auto radius = ladder.template best_radius<ConcurrencyTag>({from, to}, [&](std::uint32_t v) { return edge_lengths[v]; });
+    const auto radius =
+      ladder.template best_radius<ConcurrencyTag>({from, to}, [&](std::uint32_t v) { return edge_lengths[v]; });
     if(radius)
       radii.push_back({quantile(2 * i + 1, 2 * classes), *radius});
   }
