@@ -41,8 +41,8 @@ Beside a pass over the mesh, the time doesn't depend on the mesh's size.
 `geodesic_radius` among them is of no effect
 
 \return a length in the mesh's units, of the floating-point type of `Curvature_estimate_3`: 4 mean edge lengths where
-nothing can be told, as on a plane or on a mesh of few vertices; NaN for a mesh without faces or without an edge of finite,
-positive length.
+nothing can be told, as on a plane or on a mesh of few vertices; NaN for a mesh without faces or without an edge of
+finite, positive length.
 \throw std::invalid_argument if a parameter is out of its range, or a face isn't a triangle
 */
 template <typename TriangleMesh, typename NamedParameters = CGAL::parameters::Default_named_parameters>
@@ -66,12 +66,12 @@ auto suggest_geodesic_radius(const TriangleMesh& tmesh,
 /*!
 \ingroup PkgSpiderEstimation
 
-suggests a geodesic radius for each vertex, as `suggest_geodesic_radius()` does for all together: for meshes whose vertices
-are dense in some places and sparse in others.
+suggests a geodesic radius for each vertex, as `suggest_geodesic_radius()` does for all together: for meshes whose
+vertices are dense in some places and sparse in others.
 
 Vertices are sorted into classes by the length of the edges around them, one class for each time that it doubles. Each
-class gets the radius in edge lengths that is best for it, from a sample of its own, and between classes it is interpolated;
-so the radius follows the density of vertices.
+class gets the radius in edge lengths that is best for it, from a sample of its own, and between classes it is
+interpolated; so the radius follows the density of vertices.
 
 \tparam ConcurrencyTag `CGAL::Sequential_tag` (the default), `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`;
         the answers are the same to the last bit

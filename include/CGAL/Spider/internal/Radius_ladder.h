@@ -24,8 +24,8 @@ namespace CGAL {
 namespace Spider {
 namespace internal {
 
-/// returns some of a range's elements, or all if there aren't more: always the same ones, but at random, since a mesh may
-/// be numbered row by row.
+/// returns some of a range's elements, or all if there aren't more: always the same ones, but at random, since a mesh
+/// may be numbered row by row.
 template <typename T>
 std::vector<T> subsample(std::vector<T> elements, std::size_t count)
 {
