@@ -71,11 +71,14 @@ double error_of(const Surface& surface, const Radius& radius)
   double sum = 0;
   int count = 0;
   for(Vertex v : surface.mesh.vertices())
-    if(v.idx() % 3 == 0 && std::max(std::abs(surface.mesh.point(v).x()), std::abs(surface.mesh.point(v).y())) < extent - 17 * spacing)
+  {
+    const Kernel::Point_3& p = surface.mesh.point(v);
+    if(v.idx() % 3 == 0 && std::max(std::abs(p.x()), std::abs(p.y())) < extent - 17 * spacing)
     {
       sum += std::abs(estimator(v).mean_curvature() - surface.mean_curvatures[v.idx()]);
       ++count;
     }
+  }
   return sum / count;
 }
 

@@ -28,9 +28,9 @@ constexpr double undecided_radius_in_edges = 4;
 suggests a geodesic radius for the estimation of curvature on a mesh: one at which noise and what curvature loses by
 blurring are in balance, from 2 to 16 mean edge lengths.
 
-At a sample of some hundred vertices, mean curvature is estimated with up to seven radii. Noise is told from what the answers of
-small radii differ by, and blurring from what those of large radii differ by; the user manual has the algebra, and how
-close that comes. The answer depends on the mesh alone, is the same whenever it is asked for, and scales with the mesh.
+At a sample of some hundred vertices, mean curvature is estimated with up to seven radii. Noise is told from what the
+answers of small radii differ by, and blurring from what those of large radii differ by; the user manual has the
+algebra, and how close that comes. The answer depends on the mesh alone, is the same whenever it is asked for, and scales with the mesh.
 Beside a pass over the mesh, the time doesn't depend on the mesh's size.
 
 \tparam TriangleMesh a model of `FaceGraph`
@@ -80,8 +80,8 @@ interpolated; so the radius follows the density of vertices.
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param tmesh a triangle mesh; it is only read
-\param vertex_radius_map takes the radii; if it is readable too, it is what `geodesic_radius()` may be given. A vertex gets
-NaN where it has no edges of finite, positive length
+\param vertex_radius_map takes the radii; if it is readable too, it is what `geodesic_radius()` may be given. A vertex
+gets NaN where it has no edges of finite, positive length
 \param np an optional sequence of named parameters, those that `estimate_curvature()` will be called with; a
 `geodesic_radius` among them is of no effect
 

@@ -91,8 +91,8 @@ private:
   using Values = std::array<Scalar, number_of_rungs>;
 
   /// How the variance of curvature falls with the radius in edge lengths, but for a factor. White noise would give its
-  /// sixth power; facets interpolate the noise of vertices, and small spiders see less of it. Measured over tessellations
-  /// and noises: the local power is 4.6 to 4.8 from two to four edges and 5.3 to 5.5 above eight, which this has too.
+  /// sixth power; facets interpolate the noise of vertices, and small spiders see less of it. Measured on all
+  /// tessellations: the local power is 4.6 to 4.8 from two to four edges and 5.3 to 5.5 above eight, which this has too.
   static Scalar noise_law(Scalar radius)
   {
     constexpr Scalar interpolated = 4; // edge lengths
@@ -135,8 +135,8 @@ private:
         noise_[k] = std::min(noise_[k], steps_[from] / noise_of_step(from) * noise_ratio(k, from));
   }
 
-  /// Bias doubles from one rung to the next, so it is as large as the step to the next one. It is no more than any larger
-  /// rung's scaled down.
+  /// Bias doubles from one rung to the next, so it is as large as the step to the next one. It is no more than any
+  /// larger rung's scaled down.
   void bound_bias()
   {
     constexpr Scalar tolerance = Scalar(1.15); // what the law of noise and the sample may be wrong by
@@ -161,8 +161,8 @@ private:
     return best;
   }
 
-  /// At large radii bias may turn round. There the estimate of a smaller radius tells it, which has little bias and that
-  /// extrapolated to none: 2 H(m) - H(m + 1).
+  /// At large radii bias may turn round. There the estimate of a smaller radius tells it, which has little bias and
+  /// that extrapolated to none: 2 H(m) - H(m + 1).
   void measure_bias_of_large_radii()
   {
     const int m = best_rung();

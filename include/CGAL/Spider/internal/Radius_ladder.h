@@ -37,7 +37,8 @@ std::vector<T> subsample(std::vector<T> elements, std::size_t count)
   return elements;
 }
 
-/// Estimates at vertices of a mesh with one radius after the other, each from the normal that the one before ended with.
+/// Estimates at vertices of a mesh with one radius after the other, each from the normal that the one before ended
+/// with.
 template <typename TriangleMesh, typename NamedParameters>
 class Radius_ladder
 {
