@@ -22,6 +22,7 @@
 #include <CGAL/Spider/parameters.h>
 #include <CGAL/Spider/resample.h>
 #include <CGAL/Spider/smooth_by_geodesic_rings.h>
+#include <CGAL/Spider/suggest_geodesic_radius.h>
 #include <CGAL/Spider/trace_limb.h>
 #include <CGAL/Spider/trace_limbs.h>
 #include <CGAL/Spider/trace_sphere_section.h>

@@ -28,6 +28,7 @@ struct Estimate
   Estimate_status status = isolated;
   Scalar coverage = 0;
   Scalar residual = nan<Scalar>();
+  bool meets_border = false; ///< a limb ended there
 };
 
 /// The spider at one point after another: limbs, fit, and again from the new normal (paper, 2.2 to 2.4). Keeps its
@@ -62,6 +63,7 @@ public:
       if(!fit.determined || (Fit::rests_at_best_fit && !(fit.residual * reach < estimate.residual) && round > 0))
         break; // the last round's answer stays
       estimate.coverage = coverage;
+      estimate.meets_border = extent.meets_border;
       estimate.status = extent.is_complete && fit.is_whole && !(reach < radius) ? ok : partial;
       const Vec3<Scalar> previous = estimate.normal;
       take(fit, frame, reach, estimate);

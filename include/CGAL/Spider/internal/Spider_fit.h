@@ -22,6 +22,7 @@ struct Spider_extent
   bool is_complete = true; ///< all limbs reached the radius
   int number_of_limbs = 0, number_of_walls = 0;
   Scalar number_of_segments = 0; ///< of all limbs together, where the estimator counts them
+  bool meets_border = false;
 
   /// adds a limb. `climbs` tells that it led farther from the tangent plane than along it.
   void add(Scalar reached_by_limb, Limb_end end, bool climbs = false)
@@ -30,6 +31,7 @@ struct Spider_extent
     is_complete = is_complete && end == radius_reached;
     ++number_of_limbs;
     number_of_walls += end != radius_reached && climbs ? 1 : 0;
+    meets_border = meets_border || end == border;
   }
 
   /// tells whether the surface turns back before the radius on most sides. Noise makes some limbs climb, too.

@@ -1,0 +1,51 @@
+// Copyright (c) 2026 The Spider developers.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Estimates curvature with the radius that suits a mesh and its noise, and with one that suits each of its places.
+
+#include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Spider/estimate_vertex_curvatures.h>
+#include <CGAL/Spider/suggest_geodesic_radius.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <iostream>
+#include <string>
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using Estimate = CGAL::Spider::Curvature_estimate_3<Kernel>;
+
+namespace PMP = CGAL::Polygon_mesh_processing;
+namespace params = CGAL::Spider::parameters;
+
+int main(int argc, char* argv[])
+{
+  const std::string filename = argc > 1 ? argv[1] : CGAL::data_file_path("meshes/elephant.off");
+  Mesh mesh;
+  if(!PMP::IO::read_polygon_mesh(filename, mesh) || !CGAL::is_triangle_mesh(mesh) || mesh.is_empty())
+  {
+    std::cerr << "Not a triangle mesh: " << filename << '\n';
+    return EXIT_FAILURE;
+  }
+  auto curvature = mesh.add_property_map<Mesh::Vertex_index, Estimate>("v:curvature").first;
+
+  const double radius = CGAL::Spider::suggest_geodesic_radius(mesh);
+  CGAL::Spider::estimate_vertex_curvatures<CGAL::Parallel_if_available_tag>(mesh, curvature,
+                                                                            params::geodesic_radius(radius));
+  std::cout << "one radius for all: " << radius << '\n';
+
+  // Where the density of vertices varies, so may the radius.
+  auto radii = mesh.add_property_map<Mesh::Vertex_index, double>("v:radius").first;
+  CGAL::Spider::suggest_geodesic_radii<CGAL::Parallel_if_available_tag>(mesh, radii);
+  CGAL::Spider::estimate_vertex_curvatures<CGAL::Parallel_if_available_tag>(mesh, curvature,
+                                                                            params::geodesic_radius(radii));
+  const auto [least, greatest] =
+    std::minmax_element(mesh.vertices().begin(), mesh.vertices().end(),
+                        [&](Mesh::Vertex_index v, Mesh::Vertex_index w) { return radii[v] < radii[w]; });
+  std::cout << "one for each vertex: from " << radii[*least] << " to " << radii[*greatest] << '\n';
+  return EXIT_SUCCESS;
+}
