@@ -3,8 +3,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Estimates the curvature of each material of a labelled mesh by itself: limbs stop where the label changes, and on the
-// Keeps estimates on a labelled mesh to one label: limbs stop where the label changes. And has limbs grow less in faces of
-// one label than in those of the other.
+// Keeps estimates on a labelled mesh to one label: limbs stop where the label changes. And has limbs grow less in faces
+// of one label than in those of the other.
 
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 #include <CGAL/Simple_cartesian.h>
@@ -54,8 +54,8 @@ int main(int argc, char* argv[])
     {
       const Mesh::Vertex_index v = mesh.vertex(e, 0);
       const auto at_once = Spider::estimate_curvature(v, mesh);
-      const auto of_one_label = Spider::estimate_curvature(
-        v, mesh, params::growth_cost_map(cost).edge_is_constrained_map(changes_label));
+      const auto of_one_label =
+        Spider::estimate_curvature(v, mesh, params::growth_cost_map(cost).edge_is_constrained_map(changes_label));
       std::cout << "mean curvature " << at_once.mean_curvature() << " of both labels, " << of_one_label.mean_curvature()
                 << " of one (coverage " << of_one_label.coverage << ")\n";
       return EXIT_SUCCESS;

@@ -2,7 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The promise (paper, 2.5): limbs stop at feature edges, and estimates are those of the smooth patch of the query point.
+// The promise (paper, 2.5): limbs stop at feature edges, and estimates are those of the smooth patch of the query
+// point.
 
 #include "estimation.h"
 
@@ -95,7 +96,7 @@ TEST(feature_edges, a_location_on_an_edge_belongs_to_the_side_of_its_face)
                          .cwiseProduct(cube.sides(cube.mesh.target(h)))
                          .cwiseProduct(cube.sides(cube.mesh.target(cube.mesh.next(h))));
     if(plane.cwiseAbs().sum() != 1)
-      continue; // a triangle in a corner, all of whose vertices are on edges
+      continue;                        // a triangle in a corner, all of whose vertices are on edges
     for(double share : {0., 0.25, 1.}) // the source of the face's halfedge comes first
     {
       Location location{f, {0, 0, 0}};

@@ -56,14 +56,15 @@ TEST(growth_cost, length_in_a_dear_face_counts_for_more)
     {
       const Kernel::Vector_3 direction(std::cos(angle), std::sin(angle), 0);
       const double to_border = 0.5 / std::cos(angle), r = to_border + 0.2;
-      const auto limb = Spider::trace_limb(
-        origin, up, direction, sheet.mesh, params::geodesic_radius(r).limb_measure(measure).growth_cost_map(sheet.costs));
+      const auto limb =
+        Spider::trace_limb(origin, up, direction, sheet.mesh,
+                           params::geodesic_radius(r).limb_measure(measure).growth_cost_map(sheet.costs));
       EXPECT_EQ(limb.end, Spider::slowed);
       EXPECT_NEAR(limb.length, to_border + 0.2 / 4, 1e-12);
       EXPECT_NEAR((meshes::vector(limb.polyline.back()) - limb.length * meshes::vector(direction)).norm(), 0, 1e-12);
 
-      const auto cheap = Spider::trace_limb(origin, up, -direction, sheet.mesh,
-                                            params::geodesic_radius(r).growth_cost_map(sheet.costs));
+      const auto cheap =
+        Spider::trace_limb(origin, up, -direction, sheet.mesh, params::geodesic_radius(r).growth_cost_map(sheet.costs));
       EXPECT_EQ(cheap.end, Spider::radius_reached);
       EXPECT_EQ(cheap.length, r);
 
@@ -111,7 +112,8 @@ TEST(growth_cost, estimates_are_those_of_the_surface_on_this_side)
     {
       const Vertex v = sheet.vertex_at(i, 0);
       const Estimate single = Spider::estimate_curvature(v, sheet.mesh, np);
-      EXPECT_NEAR(single.max_curvature, 0.5, 0.006); // what a quadric makes of a part of an arc, measured 0.0043 at most
+      EXPECT_NEAR(single.max_curvature, 0.5,
+                  0.006); // what a quadric makes of a part of an arc, measured 0.0043 at most
       EXPECT_NEAR(single.min_curvature, 0, 0.006);
       EXPECT_EQ(single.status, i < 1 ? Spider::ok : Spider::partial);
       EXPECT_EQ(single.coverage < 1, i >= 1);

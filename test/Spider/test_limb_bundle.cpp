@@ -34,11 +34,8 @@ Snapshot snapshot_of(const Mesh& mesh, const AnyView& view)
 
 /// walks limbs at irregular angles both ways, and compares where they end.
 template <typename AnyView>
-void expect_same_walks(const AnyView& view,
-                       const internal::Site<AnyView>& site,
-                       const Vector& normal,
-                       Spider::Limb_measure measure,
-                       int number_of_limbs)
+void expect_same_walks(const AnyView& view, const internal::Site<AnyView>& site, const Vector& normal,
+                       Spider::Limb_measure measure, int number_of_limbs)
 {
   const internal::Spider_frame<double> frame(normal, site.reference);
   const internal::Star<AnyView> star(view, site, internal::Local_coordinates<double>(site.point, frame, radius));
@@ -102,8 +99,8 @@ TEST(limb_bundle, feature_edges_and_costs_stop_limbs_in_lockstep_as_they_do_alon
     for(auto f : mesh.faces())
       costs[f] = random() % 32 == 0 ? std::numeric_limits<double>::infinity() : 1 + double(random() % 3);
     using Attributes = internal::Growth_attributes<decltype(features), decltype(costs)>;
-    const internal::Graph_view<Mesh, Point_map, Attributes> view(
-      mesh, mesh.points(), Attributes(features, costs, internal::patch_of_star));
+    const internal::Graph_view<Mesh, Point_map, Attributes> view(mesh, mesh.points(),
+                                                                 Attributes(features, costs, internal::patch_of_star));
     const Snapshot snapshot = snapshot_of(mesh, view);
     for(Vertex v : mesh.vertices())
       for(Spider::Limb_measure measure : {Spider::arc_length, Spider::tangential_distance})

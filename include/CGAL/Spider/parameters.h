@@ -43,7 +43,7 @@ enum Ring_weight
 enum Line_motion
 {
   fixed_lines,  ///< they stay where they are
-  sliding_lines ///< they move along their lines, but for those where lines end or meet
+  sliding_lines ///< they spread out along their lines, but for those where lines end, meet or turn a corner
 };
 
 /// Every named parameter that is Spider's own; CGAL's names follow them in a chain.

@@ -26,22 +26,23 @@ What `smooth_by_geodesic_rings()` did.
 template <typename FT>
 struct Smoothing_result
 {
-  int number_of_iterations = 0;  ///< rounds that took place
-  FT greatest_displacement = 0;  ///< distance between a vertex' first and last place, the greatest of all vertices
-  FT mean_displacement = 0;      ///< the same, on average over all vertices
-  FT volume_before = 0;          ///< what the mesh enclosed, positive if its faces point outwards; NaN if it isn't closed
-  FT volume_after = 0;           ///< what it encloses now
+  int number_of_iterations = 0; ///< rounds that took place
+  FT greatest_displacement = 0; ///< distance between a vertex' first and last place, the greatest of all vertices
+  FT mean_displacement = 0;     ///< the same, on average over all vertices
+  FT volume_before = 0; ///< what the mesh enclosed, positive if its faces point outwards; NaN if it isn't closed
+  FT volume_after = 0;  ///< what it encloses now
 };
 
 /*!
 \ingroup PkgSpiderSmoothing
 
-smooths a mesh (paper, 3.1): each round moves every vertex by a share of the way to the centroid of its geodesic ring, that
-is, of the ends of its limbs. A ring samples the surface around a vertex evenly, however its faces are shaped, so unlike
-Laplacian smoothing this doesn't drift towards where vertices are dense.
+smooths a mesh (paper, 3.1): each round moves every vertex by a share of the way to the centroid of its geodesic ring,
+that is, of the ends of its limbs. A ring samples the surface around a vertex evenly, however its faces are shaped, so
+unlike Laplacian smoothing this doesn't drift towards where vertices are dense.
 
-All vertices of a round move at once. Where a face would turn over or degenerate, its vertices move by a half of their way, a
-quarter, and so on to nothing. A round takes time linear in the number of vertices and in the faces that limbs cross.
+All vertices of a round move at once. Where a face would turn over or degenerate, its vertices move by a half of their
+way, a quarter, and so on to nothing. A round takes time linear in the number of vertices and in the faces that limbs
+cross.
 
 \tparam ConcurrencyTag `CGAL::Sequential_tag` (the default), `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`;
         the outcome is the same to the last bit
@@ -56,12 +57,9 @@ quarter, and so on to nothing. A round takes time linear in the number of vertic
     \cgalParamDescription{the radius of the rings: larger ones smooth more, and blur more}
     \cgalParamType{a number, or a readable property map from vertices to numbers}
     \cgalParamDefault{half of the mean length of the edges around each vertex}
-    \cgalParamExtra{the paper takes half of the mean edge length of the whole mesh (figure 11), which blurs where faces are small}
-  \cgalParamNEnd
-  \cgalParamNBegin{smoothing_factor}
-    \cgalParamDescription{the share of the way to the ring's centroid that a vertex goes in a round}
-    \cgalParamType{a number greater than 0 and at most 1}
-    \cgalParamDefault{0.2}
+    \cgalParamExtra{the paper takes half of the mean edge length of the whole mesh (figure 11), which blurs where faces
+are small} \cgalParamNEnd \cgalParamNBegin{smoothing_factor} \cgalParamDescription{the share of the way to the ring's
+centroid that a vertex goes in a round} \cgalParamType{a number greater than 0 and at most 1} \cgalParamDefault{0.2}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_iterations}
     \cgalParamDescription{most rounds}
@@ -89,9 +87,8 @@ quarter, and so on to nothing. A round takes time linear in the number of vertic
     \cgalParamDefault{`Spider::arc_length` (the paper's)}
   \cgalParamNEnd
   \cgalParamNBegin{keep_volume}
-    \cgalParamDescription{whether every round ends with a step of all free vertices along their normals, of one length, by
-    which a closed mesh encloses as much as at first; of no effect on other meshes}
-    \cgalParamType{`bool`}
+    \cgalParamDescription{whether every round ends with a step of all free vertices along their normals, of one length,
+by which a closed mesh encloses as much as at first; of no effect on other meshes} \cgalParamType{`bool`}
     \cgalParamDefault{`true`}
     \cgalParamExtra{such a step leaves constrained vertices where they are, which scaling the mesh would not}
   \cgalParamNEnd
@@ -130,8 +127,7 @@ quarter, and so on to nothing. A round takes time linear in the number of vertic
 \return a `Smoothing_result`
 \throw std::invalid_argument if a parameter is out of its range, or a face isn't a triangle
 */
-template <typename ConcurrencyTag = CGAL::Sequential_tag,
-          typename TriangleMesh,
+template <typename ConcurrencyTag = CGAL::Sequential_tag, typename TriangleMesh,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>
 auto smooth_by_geodesic_rings(TriangleMesh& tmesh, const NamedParameters& np = CGAL::parameters::default_values())
 {
@@ -163,8 +159,8 @@ auto smooth_by_geodesic_rings(TriangleMesh& tmesh, const NamedParameters& np = C
   internal::Ring_smoother<Scalar> smoother(mesh, options, radii, is_fixed, CGAL::is_closed(tmesh));
   const auto done = smoother.template run<ConcurrencyTag>();
 
-  auto points = choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
-                                 get_property_map(CGAL::vertex_point, tmesh));
+  auto points =
+    choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point), get_property_map(CGAL::vertex_point, tmesh));
   using Point = typename boost::property_traits<decltype(points)>::value_type;
   for(std::size_t v = 0; v < vertex_ranks.size(); ++v)
     if(mesh.points()[v] != first_points[v])

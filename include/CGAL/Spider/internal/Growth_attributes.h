@@ -2,7 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What holds limbs up besides the end of the mesh (paper, 2.5): feature edges, and what an attribute of the faces costs.
+// What holds limbs up besides the end of the mesh (paper, 2.5): feature edges, and what an attribute of the faces
+// costs.
 
 #ifndef CGAL_SPIDER_INTERNAL_GROWTH_ATTRIBUTES_H
 #define CGAL_SPIDER_INTERNAL_GROWTH_ATTRIBUTES_H
@@ -40,10 +41,10 @@ public:
   static constexpr bool has_features = is_given<FeatureMap>;
   static constexpr bool has_costs = is_given<CostMap>;
 
-  explicit Growth_attributes(const FeatureMap& features = {}, const CostMap& costs = {}, Star_extent extent = whole_star)
+  explicit Growth_attributes(const FeatureMap& features = {}, const CostMap& costs = {},
+                             Star_extent extent = whole_star)
     : features_(features), costs_(costs), star_extent_(extent)
-  {
-  }
+  {}
 
   Star_extent star_extent() const { return star_extent_; }
 

@@ -15,7 +15,8 @@ template <typename Value>
 class Growth_limit
 {
 public:
-  /// returns what the measure will say where the limb ends, should that be in this face; 1 if no face costs more than 1.
+  /// returns what the measure will say where the limb ends, should that be in this face; 1 if no face costs more
+  /// than 1.
   const Value& limit() const { return limit_; }
 
   /// enters a face of a finite cost when the measure says `reached`.

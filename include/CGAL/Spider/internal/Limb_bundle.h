@@ -2,9 +2,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The walk of several limbs in lockstep. What one limb does is what `walk_limb()` does, step by step; what differs is that
-// nothing branches: limbs that have come to their end stay where they are until all have. And limbs stay in one patch:
-// they stop at feature edges at any angle.
+// The walk of several limbs in lockstep. What one limb does is what `walk_limb()` does, step by step; what differs is
+// that nothing branches: limbs that have come to their end stay where they are until all have. And limbs stay in one
+// patch: they stop at feature edges at any angle.
 
 #ifndef CGAL_SPIDER_INTERNAL_LIMB_BUNDLE_H
 #define CGAL_SPIDER_INTERNAL_LIMB_BUNDLE_H
@@ -12,6 +12,7 @@
 #include <CGAL/Spider/internal/Growth_limit.h>
 #include <CGAL/Spider/internal/Lane_exits.h>
 #include <CGAL/Spider/internal/Lanes.h>
+#include <CGAL/Spider/internal/Segments.h>
 #include <CGAL/Spider/internal/Star.h>
 #include <CGAL/Spider/internal/walk_limb.h>
 
@@ -24,18 +25,6 @@ namespace CGAL {
 namespace Spider {
 namespace internal {
 
-/// The next segment of each limb: it leads towards the crossing of an edge.
-template <typename Scalar>
-struct Segments
-{
-  const Lane_points<Scalar>&source, &target; ///< ends of the edge
-  Lanes<Scalar> crossing;                    ///< where on the edge, from 0 at its source to 1 at its target
-  Lanes<Scalar> share;                       ///< how much of the way there is taken; 0 by limbs that have ended
-  Lanes<Scalar> gain;                        ///< how much farther it gets than before, by the limb's measure
-  Lanes<Scalar> middle_share;                ///< how much of the way leads to the middle of that
-  Lanes<Scalar> middle;                      ///< how far along the limb's direction the middle of that is
-};
-
 /// Limbs that go in lockstep.
 template <typename View>
 class Limb_bundle
@@ -47,16 +36,10 @@ class Limb_bundle
 
 public:
   /// places limbs at the edges by which they leave the star, in the directions of the given cosines and sines.
-  Limb_bundle(const View& view,
-              const Site<View>& site,
-              const Star<View>& star,
-              const Values& cosines,
-              const Values& sines,
-              int number_of_limbs,
-              Limb_measure measure)
+  Limb_bundle(const View& view, const Site<View>& site, const Star<View>& star, const Values& cosines,
+              const Values& sines, int number_of_limbs, Limb_measure measure)
     : view_(view), local_(star.local), at_(view, site, star, cosines, sines), first_edge_(at_.edge),
-      checkpoint_(at_.edge), by_arc_length_(measure == arc_length), y_(0), z_(0), length_(0),
-      height_(0), reached_(0)
+      checkpoint_(at_.edge), by_arc_length_(measure == arc_length), y_(0), z_(0), length_(0), height_(0), reached_(0)
   {
     Values is_limb(1);
     for(int l = number_of_limbs; l < number_of_lanes; ++l)
@@ -124,7 +107,8 @@ private:
     const Values arrived = select(is_last, limit_.limit(), to), begin = larger(from, reached_);
     const Values middle_share = (smaller((begin - from) * inverse, share) + share) * Values(Scalar(0.5));
     const Values gain = select(growing_, larger(arrived - begin, zero), zero);
-    const Segments<Scalar> segments{at_.source, at_.target, crossing, share, gain, middle_share, y_ + middle_share * y_step};
+    const Segments<Scalar> segments{
+      at_.source, at_.target, crossing, share, gain, middle_share, y_ + middle_share * y_step};
 
     y_ = y_ + share * y_step;
     z_ = z_ + share * z_step;
@@ -214,8 +198,8 @@ private:
     return view_.is_feature(h) ? feature_edge : view_.is_closed_to_growth(h) ? slowed : degenerate;
   }
 
-  /// Limbs that are back at the edge where they began lead to the query point, where their sections close. Those that go
-  /// round in circles elsewhere end.
+  /// Limbs that are back at the edge where they began lead to the query point, where their sections close. Those that
+  /// go round in circles elsewhere end.
   void note_circles()
   {
     Values closes(0), ends(0);
@@ -236,7 +220,10 @@ private:
     at_.lead_to_query_point(closes > Values(0));
   }
 
-  static Values between(const Values& from, const Values& to, const Values& share) { return from + share * (to - from); }
+  static Values between(const Values& from, const Values& to, const Values& share)
+  {
+    return from + share * (to - from);
+  }
   static constexpr Scalar infinity() { return std::numeric_limits<Scalar>::infinity(); }
 
   const View& view_;
@@ -244,7 +231,7 @@ private:
   Lane_exits<View> at_;
   std::array<Halfedge, number_of_lanes> first_edge_, checkpoint_;
   bool by_arc_length_;
-  Values y_, z_; ///< where the limb is, along its direction and the normal
+  Values y_, z_;                     ///< where the limb is, along its direction and the normal
   Values length_, height_, reached_; ///< how long it is, how far from the tangent plane it was, and how far it came
   Growth_limit<Values> limit_;
   Mask growing_, closed_;

@@ -8,7 +8,6 @@
 #include <CGAL/Spider/internal/Mesh_snapshot.h>
 #include <CGAL/Spider/internal/Site.h>
 
-#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -34,20 +33,21 @@ public:
 
   bool is_on_line(Vertex v) const { return neighbours_[v].count > 0; }
 
-  /// returns the way along its line by which a vertex that isn't an end of lines comes to lie in the middle of the points
-  /// at a distance on both sides, or of its neighbours where these are nearer.
-  Vec3<Scalar> way_along_line(Vertex v, Scalar distance) const
+  /// returns the way along its line, towards the farther of its two neighbours there, by which a vertex comes to lie in
+  /// the middle between them. Vertices stay where lines end, meet or turn a corner.
+  Vec3<Scalar> way_along_line(Vertex v) const
   {
     using Vector = Vec3<Scalar>;
+    constexpr Scalar cosine_of_corner = Scalar(0.7); // lines that turn by more than 45 degrees do so on purpose
     const Neighbours& on_line = neighbours_[v];
     if(on_line.count != 2)
       return Vector::Zero();
     const Vector a = mesh_.point(on_line.vertices[0]) - mesh_.point(v);
     const Vector b = mesh_.point(on_line.vertices[1]) - mesh_.point(v);
-    const auto cut = [&](const Vector& way) { return Vector(way * std::min(Scalar(1), distance / way.norm())); };
-    const Vector middle = (cut(a) + cut(b)) / 2, tangent = unit<Scalar>(b - a);
-    const Vector along = middle.dot(tangent) * tangent;
-    return along.allFinite() ? along : Vector(Vector::Zero());
+    if(!(-unit(a).dot(unit(b)) >= cosine_of_corner))
+      return Vector::Zero();
+    const Scalar excess = b.norm() - a.norm();
+    return excess > 0 ? Vector(excess / 2 * unit(b)) : Vector(-excess / 2 * unit(a));
   }
 
 private:

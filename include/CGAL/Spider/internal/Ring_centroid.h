@@ -27,7 +27,8 @@ Scalar mean_edge_length_at(const Mesh_snapshot<Scalar>& mesh, std::uint32_t v)
   Scalar sum = 0;
   const Site<Mesh_snapshot<Scalar>> site = site_at_vertex(mesh, v);
   for(std::uint32_t edge : site.rim)
-    sum += (mesh.point(mesh.source(edge)) - site.point).stableNorm() + (mesh.point(mesh.target(edge)) - site.point).stableNorm();
+    sum += (mesh.point(mesh.source(edge)) - site.point).stableNorm() +
+           (mesh.point(mesh.target(edge)) - site.point).stableNorm();
   return site.rim.empty() ? Scalar(0) : sum / Scalar(2 * site.rim.size());
 }
 

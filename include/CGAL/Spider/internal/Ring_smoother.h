@@ -75,14 +75,10 @@ public:
     Scalar volume_before = nan<Scalar>(), volume_after = nan<Scalar>();
   };
 
-  Ring_smoother(View& mesh,
-                const Smoothing_options<Scalar>& options,
-                const std::vector<Scalar>& radii,
-                const std::vector<bool>& is_fixed,
-                bool is_closed)
+  Ring_smoother(View& mesh, const Smoothing_options<Scalar>& options, const std::vector<Scalar>& radii,
+                const std::vector<bool>& is_fixed, bool is_closed)
     : mesh_(mesh), options_(options), radii_(radii), is_fixed_(is_fixed), is_closed_(is_closed), lines_(mesh)
-  {
-  }
+  {}
 
   template <typename ConcurrencyTag>
   Done run()
@@ -135,7 +131,7 @@ private:
             return options_.factor * centroid(site_at_vertex(mesh_, v), radii_[v], normals[v]);
           if(is_fixed_[v] || options_.line_motion == fixed_lines)
             return Vector::Zero();
-          return options_.factor * lines_.way_along_line(v, radii_[v]);
+          return options_.factor * lines_.way_along_line(v);
         };
       },
       [&](Vertex v, const Vector& way) { ways[v] = way; });

@@ -76,13 +76,12 @@ public:
 private:
   /// grows a spider and fits it. Where most limbs climb walls, the surface is smaller than the reach, as a sphere may
   /// be: there the spider is grown again with half of it, and half of that.
-  Spider_fit<Scalar> fit_within_walls(const Site<View>& site,
-                                      const Spider_frame<Scalar>& frame,
-                                      Scalar& reach,
+  Spider_fit<Scalar> fit_within_walls(const Site<View>& site, const Spider_frame<Scalar>& frame, Scalar& reach,
                                       Spider_extent<Scalar>& extent)
   {
     constexpr int most_halvings = 6;
-    // Were it noise that limbs climb, the misfit would be as large at any reach; but where few vertices are, anything fits.
+    // Were it noise that limbs climb, the misfit would be as large at any reach; but where few vertices are, anything
+    // fits.
     constexpr Scalar same_misfit = Scalar(0.25);
     constexpr Scalar fewest_segments_per_limb = Scalar(2.5);
     const Spider_fit<Scalar> fit = fit_(view_, site, frame, reach, extent);
@@ -106,8 +105,8 @@ private:
     return fit;
   }
 
-  static void
-  take(const Spider_fit<Scalar>& fit, const Spider_frame<Scalar>& frame, Scalar radius, Estimate<Scalar>& estimate)
+  static void take(const Spider_fit<Scalar>& fit, const Spider_frame<Scalar>& frame, Scalar radius,
+                   Estimate<Scalar>& estimate)
   {
     const auto from_frame = [&](const Vec3<Scalar>& a) -> Vec3<Scalar> {
       return a.x() * frame.tangent + a.y() * frame.bitangent + a.z() * frame.normal;
@@ -142,10 +141,8 @@ public:
 private:
   template <typename Fit>
   using Of = Spider_engine<View, Fit>;
-  using Engine = std::variant<Of<Section_fit<View>>,
-                              Of<Surface_fit<View, 2>>,
-                              Of<Surface_fit<View, 3>>,
-                              Of<Surface_fit<View, 4>>>;
+  using Engine =
+    std::variant<Of<Section_fit<View>>, Of<Surface_fit<View, 2>>, Of<Surface_fit<View, 3>>, Of<Surface_fit<View, 4>>>;
 
   static Engine make(const View& view, const Options<Scalar>& options)
   {

@@ -49,10 +49,11 @@ bool stays_sound(const Face_shape<Scalar>& before, const Face_shape<Scalar>& aft
          after.relative_height() >= std::min(least_height, before.relative_height());
 }
 
-/// moves points by the given ways, or where a face wouldn't stay sound, its vertices by a half of them, a quarter, and so
-/// on to nothing. Linear in the size of the mesh for each halving that takes place.
+/// moves points by the given ways, or where a face wouldn't stay sound, its vertices by a half of them, a quarter, and
+/// so on to nothing. Linear in the size of the mesh for each halving that takes place.
 template <typename Scalar>
-std::vector<Vec3<Scalar>> moved_as_far_as_sound(const Mesh_snapshot<Scalar>& mesh, const std::vector<Vec3<Scalar>>& ways)
+std::vector<Vec3<Scalar>> moved_as_far_as_sound(const Mesh_snapshot<Scalar>& mesh,
+                                                const std::vector<Vec3<Scalar>>& ways)
 {
   constexpr unsigned most_halvings = 4; // then the vertex stays
   const std::vector<Vec3<Scalar>>& before = mesh.points();
@@ -73,7 +74,8 @@ std::vector<Vec3<Scalar>> moved_as_far_as_sound(const Mesh_snapshot<Scalar>& mes
     for(std::uint32_t f = 0; f < n; ++f)
     {
       const auto first = mesh.halfedge(f);
-      const std::array<std::uint32_t, 3> face = {mesh.source(first), mesh.target(first), mesh.source(mesh.preceding(first))};
+      const std::array<std::uint32_t, 3> face = {mesh.source(first), mesh.target(first),
+                                                 mesh.source(mesh.preceding(first))};
       if(stays_sound(Face_shape<Scalar>(face, before), Face_shape<Scalar>(face, after)))
         continue;
       for(std::uint32_t v : face)
@@ -98,7 +100,8 @@ Scalar enclosed_volume(const Mesh_snapshot<Scalar>& mesh, const std::vector<Vec3
   {
     const auto first = mesh.halfedge(f);
     const Vec3<Scalar> apex = points[mesh.source(first)] - points[0]; // near the mesh, for the sake of rounding
-    const Vec3<Scalar> a = points[mesh.target(first)] - points[0], b = points[mesh.source(mesh.preceding(first))] - points[0];
+    const Vec3<Scalar> a = points[mesh.target(first)] - points[0],
+                       b = points[mesh.source(mesh.preceding(first))] - points[0];
     sum += apex.dot(a.cross(b));
   }
   return sum / 6;
