@@ -30,8 +30,9 @@ struct Site
   Vec3<Scalar> reference = nan_vec3<Scalar>(); ///< a direction that moves with the mesh; spiders start at it
   std::vector<typename View::Halfedge> rim;    ///< edges, seen from within, that bound the union of the faces around it
   Limb_end end_at_once = degenerate;           ///< how a limb ends for which there is none of these faces
-  std::array<typename View::Vertex, 3> vertices{}; ///< what an attribute of the vertices is interpolated from ...
-  std::array<Scalar, 3> weights{};                 ///< ... and by which weights
+  /// what an attribute of the vertices is interpolated from, and by which weights
+  std::array<typename View::Vertex, 3> vertices = {View::null_vertex(), View::null_vertex(), View::null_vertex()};
+  std::array<Scalar, 3> weights{};
 };
 
 /// returns why a star ends with an edge.
