@@ -118,14 +118,13 @@ TEST(feature_edges, limbs_say_where_they_stopped_and_those_nearly_parallel_go_on
   const Cube cube(10);
   const Vertex v = cube.vertex_at({0.8, 0.5, 1}); // 0.2 from the edge along y
   const Kernel::Vector_3 up(0, 0, 1);
-  for(double degrees : {5., 20., 29., 31., 60., 90.})
+  for(double degrees : {23., 29., 31., 60., 90.})
   {
     SCOPED_TRACE(degrees);
     const double angle = degrees / 180 * meshes::pi, to_edge = 0.2 / std::sin(angle);
     const Kernel::Vector_3 direction(std::sin(angle), std::cos(angle), 0);
     const auto np = params::geodesic_radius(to_edge + 0.1).edge_is_constrained_map(cube.features);
-    if(to_edge * std::cos(angle) > 0.5)
-      continue; // it meets the next edge first
+    ASSERT_LT(to_edge * std::cos(angle), 0.5); // else it would meet the next edge first
     const auto limb = Spider::trace_limb(v, up, direction, cube.mesh, np);
     if(degrees > 30)
     {

@@ -120,7 +120,10 @@ TEST(growth_cost, estimates_are_those_of_the_surface_on_this_side)
       expect_same(single, curvature[v], 1e-9);
     }
     const Estimate beyond = Spider::estimate_curvature(sheet.vertex_at(12, 0), sheet.mesh, np);
-    EXPECT_EQ(beyond.status, std::isfinite(cost) ? beyond.status : Spider::insufficient);
+    if(!std::isfinite(cost))
+    {
+      EXPECT_EQ(beyond.status, Spider::insufficient);
+    }
   }
 }
 

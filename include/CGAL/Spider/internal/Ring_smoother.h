@@ -91,10 +91,9 @@ public:
     while(done.number_of_iterations < options_.number_of_iterations && displacement > options_.convergence_displacement)
     {
       const std::vector<Vector> before = mesh_.points();
-      std::vector<Vector> after = moved_as_far_as_sound(mesh_, ways_to_centroids<ConcurrencyTag>());
+      mesh_.move_to(moved_as_far_as_sound(mesh_, ways_to_centroids<ConcurrencyTag>()));
       if(options_.keep_volume && is_closed_)
-        after = with_volume(done.volume_before, std::move(after));
-      mesh_.move_to(std::move(after));
+        step_to_volume(done.volume_before);
       displacement = 0;
       for(std::size_t v = 0; v < before.size(); ++v)
         displacement = std::max(displacement, (mesh_.points()[v] - before[v]).norm());
@@ -139,31 +138,28 @@ private:
   }
 
   /// has free vertices step along their normals, all by one length, so that the mesh encloses a volume.
-  std::vector<Vector> with_volume(Scalar volume, std::vector<Vector> points) const
+  void step_to_volume(Scalar volume)
   {
     constexpr int most_steps = 8; // of Newton's method, which needs two or three
     constexpr Scalar as_good = Scalar(1e-6);
     for(int step = 0; step < most_steps; ++step)
     {
-      const Scalar missing = volume - enclosed_volume(mesh_, points);
+      const Scalar missing = volume - enclosed_volume(mesh_, mesh_.points());
       if(!(std::abs(missing) > as_good * std::abs(volume)))
-        break;
-      View moved = mesh_;
-      moved.move_to(points);
-      std::vector<Vector> ways(points.size(), Vector::Zero());
+        return;
+      std::vector<Vector> ways(mesh_.number_of_vertices(), Vector::Zero());
       Scalar area = 0; // of the faces around free vertices, a third for each
       for(Vertex v = 0; v < static_cast<Vertex>(ways.size()); ++v)
         if(is_free(v))
         {
-          const Vector area_of_star = area_vector(moved, site_at_vertex(moved, v), Scalar(1)) / 3;
+          const Vector area_of_star = area_vector(mesh_, site_at_vertex(mesh_, v), Scalar(1)) / 3;
           area += area_of_star.norm();
           ways[v] = unit(area_of_star);
         }
       for(Vector& way : ways)
         way = way.allFinite() && area > 0 ? Vector(missing / area * way) : Vector(Vector::Zero());
-      points = moved_as_far_as_sound(moved, ways);
+      mesh_.move_to(moved_as_far_as_sound(mesh_, ways));
     }
-    return points;
   }
 
   View& mesh_;
