@@ -33,8 +33,10 @@ int main(int argc, char* argv[])
     argc > 4 ? Kernel::Point_3(std::atof(argv[2]), std::atof(argv[3]), std::atof(argv[4])) : Kernel::Point_3(0, 0, 0.5);
 
   // A face, and the barycentric coordinates in it: what is estimated at the point is not interpolated from vertices.
+  //! [location]
   const auto location = PMP::locate(point, mesh);
   const auto estimate = CGAL::Spider::estimate_curvature(location, mesh, params::geodesic_radius(0.1));
+  //! [location]
 
   std::cout << "at (" << PMP::construct_point(location, mesh) << "), " << estimate.status << ":\n"
             << "  curvature " << estimate.min_curvature << " along (" << estimate.min_direction << ")\n"

@@ -21,8 +21,10 @@ using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
 using Polyhedron = CGAL::Polyhedron_3<Kernel>;
 using Vertex = boost::graph_traits<Polyhedron>::vertex_descriptor;
 
+//! [exact]
 // Estimates are approximate: where the mesh has exact numbers they come in double.
 using Estimate = CGAL::Spider::Curvature_estimate_3<CGAL::Simple_cartesian<double>>;
+//! [exact]
 
 int main(int argc, char* argv[])
 {
@@ -35,8 +37,10 @@ int main(int argc, char* argv[])
   }
 
   // With no radius given it is four mean edge lengths.
+  //! [polyhedron]
   std::map<Vertex, Estimate> curvature;
   CGAL::Spider::estimate_vertex_curvatures(polyhedron, boost::make_assoc_property_map(curvature));
+  //! [polyhedron]
 
   for(Vertex v : vertices(polyhedron))
     std::cout << v->point() << ": " << curvature[v].mean_curvature() << ' ' << curvature[v].Gaussian_curvature()

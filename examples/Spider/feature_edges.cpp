@@ -35,8 +35,10 @@ int main(int argc, char* argv[])
   }
 
   // Edges at which the normals of the faces turn by more than 40 degrees.
+  //! [features]
   auto is_sharp = mesh.add_property_map<Mesh::Edge_index, bool>("e:is_sharp", false).first;
   PMP::detect_sharp_edges(mesh, 40, is_sharp);
+  //! [features]
 
   auto curvature = mesh.add_property_map<Mesh::Vertex_index, Spider::Curvature_estimate_3<Kernel>>("v:curvature").first;
   const auto largest = [&] {
@@ -48,7 +50,9 @@ int main(int argc, char* argv[])
   };
   Spider::estimate_vertex_curvatures<CGAL::Parallel_if_available_tag>(mesh, curvature);
   std::cout << "largest curvedness across edges:  " << largest() << '\n';
+  //! [features call]
   Spider::estimate_vertex_curvatures<CGAL::Parallel_if_available_tag>(mesh, curvature,
                                                                       params::edge_is_constrained_map(is_sharp));
+  //! [features call]
   std::cout << "largest curvedness of the patches: " << largest() << '\n';
 }

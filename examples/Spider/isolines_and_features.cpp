@@ -83,17 +83,21 @@ int main(int argc, char* argv[])
                                                                             params::geodesic_radius(radius));
 
   // Give flatness_threshold() to compare meshes with one another; else it is chosen for each.
+  //! [labels]
   auto label = mesh.add_property_map<Mesh::Vertex_index, Label>("v:label", CGAL::Spider::unlabelled).first;
   const double threshold = CGAL::Spider::classify_vertices(mesh, curvature, label);
+  //! [labels]
   std::cout << number_patches(mesh, label) << " patches, flat up to a curvature of " << threshold << '\n';
   auto color = mesh.add_property_map<Mesh::Vertex_index, CGAL::IO::Color>("v:color").first;
   for(Mesh::Vertex_index v : mesh.vertices())
     color[v] = CGAL::Spider::label_color(label[v]);
   std::ofstream features("features.ply");
 
+  //! [isolines]
   std::vector<Isoline> lines;
   CGAL::Spider::extract_isolines(mesh, CGAL::Spider::derived_field(curvature, CGAL::Spider::Mean_curvature()), 0,
                                  std::back_inserter(lines));
+  //! [isolines]
   std::size_t number_of_closed_lines = 0;
   for(const Isoline& line : lines)
     number_of_closed_lines += line.is_closed;

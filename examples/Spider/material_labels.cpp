@@ -2,7 +2,6 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Estimates the curvature of each material of a labelled mesh by itself: limbs stop where the label changes, and on the
 // Keeps estimates on a labelled mesh to one label: limbs stop where the label changes. And has limbs grow less in faces
 // of one label than in those of the other.
 
@@ -45,17 +44,21 @@ int main(int argc, char* argv[])
   }
 
   // Faces of label 1 count double; those of another label than 0 or 1 would be forbidden ground.
+  //! [cost]
   auto cost = mesh.add_property_map<Mesh::Face_index, double>("f:cost", 1).first;
   for(Mesh::Face_index f : mesh.faces())
     cost[f] = label[f] == 0 ? 1 : label[f] == 1 ? 2 : std::numeric_limits<double>::infinity();
+  //! [cost]
 
   for(Mesh::Edge_index e : mesh.edges())
     if(changes_label[e])
     {
       const Mesh::Vertex_index v = mesh.vertex(e, 0);
       const auto at_once = Spider::estimate_curvature(v, mesh);
+      //! [cost call]
       const auto of_one_label =
         Spider::estimate_curvature(v, mesh, params::growth_cost_map(cost).edge_is_constrained_map(changes_label));
+      //! [cost call]
       std::cout << "mean curvature " << at_once.mean_curvature() << " of both labels, " << of_one_label.mean_curvature()
                 << " of one (coverage " << of_one_label.coverage << ")\n";
       return EXIT_SUCCESS;

@@ -34,8 +34,10 @@ int main(int argc, char* argv[])
   auto is_sharp = mesh.add_property_map<Mesh::Edge_index, bool>("e:is_sharp", false).first;
   PMP::detect_sharp_edges(mesh, 80, is_sharp);
 
+  //! [smoothing]
   const auto done = Spider::smooth_by_geodesic_rings<CGAL::Parallel_if_available_tag>(
     mesh, params::smoothing_factor(0.2).number_of_iterations(10).edge_is_constrained_map(is_sharp));
+  //! [smoothing]
   std::cout << done.number_of_iterations << " rounds moved vertices by " << done.mean_displacement << ", at most by "
             << done.greatest_displacement << "; volume " << done.volume_before << " before, " << done.volume_after
             << " after\n";

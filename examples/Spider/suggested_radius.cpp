@@ -33,16 +33,20 @@ int main(int argc, char* argv[])
   }
   auto curvature = mesh.add_property_map<Mesh::Vertex_index, Estimate>("v:curvature").first;
 
+  //! [one radius]
   const double radius = CGAL::Spider::suggest_geodesic_radius(mesh);
   CGAL::Spider::estimate_vertex_curvatures<CGAL::Parallel_if_available_tag>(mesh, curvature,
                                                                             params::geodesic_radius(radius));
+  //! [one radius]
   std::cout << "one radius for all: " << radius << '\n';
 
   // Where the density of vertices varies, so may the radius.
+  //! [radii]
   auto radii = mesh.add_property_map<Mesh::Vertex_index, double>("v:radius").first;
   CGAL::Spider::suggest_geodesic_radii<CGAL::Parallel_if_available_tag>(mesh, radii);
   CGAL::Spider::estimate_vertex_curvatures<CGAL::Parallel_if_available_tag>(mesh, curvature,
                                                                             params::geodesic_radius(radii));
+  //! [radii]
   const auto [least, greatest] =
     std::minmax_element(mesh.vertices().begin(), mesh.vertices().end(),
                         [&](Mesh::Vertex_index v, Mesh::Vertex_index w) { return radii[v] < radii[w]; });

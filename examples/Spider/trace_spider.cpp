@@ -34,10 +34,12 @@ int main(int argc, char* argv[])
   }
 
   const Mesh::Vertex_index vertex = *mesh.vertices().begin();
+  //! [limbs]
   const auto np = params::geodesic_radius(0.2).number_of_directions(16);
   const Kernel::Vector_3 normal = CGAL::Spider::estimate_normal(vertex, mesh, np);
   std::vector<CGAL::Spider::Limb_3<Mesh>> limbs;
   CGAL::Spider::trace_limbs(vertex, normal, mesh, std::back_inserter(limbs), np);
+  //! [limbs]
 
   std::ofstream out("spider.obj");
   std::size_t number_of_points = 0;

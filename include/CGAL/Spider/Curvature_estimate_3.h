@@ -12,7 +12,11 @@
 namespace CGAL {
 namespace Spider {
 
-/// Why an estimate is what it is.
+/*!
+\ingroup PkgSpiderClasses
+
+Why an estimate is what it is.
+*/
 enum Estimate_status
 {
   ok,           ///< every limb reached the radius
@@ -21,6 +25,8 @@ enum Estimate_status
   isolated      ///< no incident face: everything is NaN
 };
 
+/// \ingroup PkgSpiderClasses
+/// writes the name of a status.
 inline std::ostream& operator<<(std::ostream& out, Estimate_status status)
 {
   switch(status)
@@ -38,7 +44,7 @@ inline std::ostream& operator<<(std::ostream& out, Estimate_status status)
 The normal and the principal curvatures of a surface at one point.
 
 Curvatures have the unit 1/length and are positive where the surface bends away from the normal: a sphere of radius
-\f$ R \f$ with outward normals has both equal to \f$ 1/R \f$. `(min_direction, max_direction, normal)` is a
+R with outward normals has both equal to 1/R. `(min_direction, max_direction, normal)` is a
 right-handed orthonormal frame. Where there is no estimate the numbers are NaN and `status` says why.
 
 \tparam GT a geometric traits class with a floating-point number type `FT` and `Vector_3`
@@ -46,9 +52,10 @@ right-handed orthonormal frame. Where there is no estimate the numbers are NaN a
 template <typename GT>
 struct Curvature_estimate_3
 {
-  using FT = typename GT::FT;
-  using Vector_3 = typename GT::Vector_3;
+  using FT = typename GT::FT;             ///< the number type
+  using Vector_3 = typename GT::Vector_3; ///< the type of directions and of the normal
 
+  /// returns what stands for a number that isn't known.
   static FT nan() { return std::numeric_limits<FT>::quiet_NaN(); }
 
   FT min_curvature = nan();                              ///< the smaller principal curvature, signed
@@ -60,6 +67,7 @@ struct Curvature_estimate_3
   FT coverage = FT(0);                                   ///< share in [0,1] of the full spider that its limbs reached
   FT residual = nan();                                   ///< root mean square distance of samples to the fit, a length
 
+  /// is an estimate at an isolated vertex: nothing is known.
   Curvature_estimate_3() = default;
 
   /// converts from an estimate in another kernel.
@@ -72,10 +80,10 @@ struct Curvature_estimate_3
   {
   }
 
-  /// returns \f$ H = (\kappa_{min} + \kappa_{max}) / 2 \f$.
+  /// returns H = (κ<sub>min</sub> + κ<sub>max</sub>) / 2, of the unit 1/length.
   FT mean_curvature() const { return (min_curvature + max_curvature) / FT(2); }
 
-  /// returns \f$ K = \kappa_{min} \kappa_{max} \f$.
+  /// returns K = κ<sub>min</sub> κ<sub>max</sub>, of the unit 1/length². H² ≥ K holds, as both come from the same two numbers.
   FT Gaussian_curvature() const { return min_curvature * max_curvature; }
 
   /// returns Koenderink's shape index in [-1,1]: 1 on a cap (as seen from the normal's side), 0.5 on a ridge, 0 on a
@@ -89,7 +97,7 @@ struct Curvature_estimate_3
     return std::atan2(sum, difference) / half_pi;
   }
 
-  /// returns Koenderink's curvedness \f$ \sqrt{(\kappa_{min}^2 + \kappa_{max}^2) / 2} \f$.
+  /// returns Koenderink's curvedness √((κ<sub>min</sub>² + κ<sub>max</sub>²) / 2), of the unit 1/length.
   FT curvedness() const { return std::hypot(min_curvature, max_curvature) / std::sqrt(FT(2)); }
 
   /// tells whether the curvatures are given.

@@ -42,11 +42,15 @@ class Curvature_estimator
   using Face = typename boost::graph_traits<TriangleMesh>::face_descriptor;
 
 public:
+  /// the kernel of the answers: that of the mesh's points, or `Simple_cartesian<double>` where the number type of that
+  /// kernel isn't floating-point
   using Result_traits = typename Inputs::Result_traits;
   using Estimate = Curvature_estimate_3<Result_traits>; ///< the type of the answers
-  using Vector_3 = typename Result_traits::Vector_3;
+  using Vector_3 = typename Result_traits::Vector_3;    ///< the type of normals
 
-  /// reads a mesh; the named parameters are those of `estimate_curvature()`.
+  /// reads a mesh.
+  /// \param tmesh a triangle mesh
+  /// \param np an optional sequence of named parameters, those of `estimate_curvature()`
   /// \throw std::invalid_argument if a parameter is out of its range, or a face isn't a triangle
   explicit Curvature_estimator(const TriangleMesh& tmesh,
                                const NamedParameters& np = CGAL::parameters::default_values())
@@ -54,7 +58,11 @@ public:
   {
   }
 
-  /// returns the estimate at a vertex, or at a point of a face given as a `Face_location`.
+  /// estimates as `estimate_curvature()` does.
+  /// \tparam Query a model of `SpiderQuery`
+  /// \param query a vertex, or a point of a face as a `CGAL::Polygon_mesh_processing::Face_location`
+  /// \return the estimate
+  /// \throw std::invalid_argument if the query isn't of the mesh
   template <typename Query>
   Estimate operator()(const Query& query) const
   {
@@ -65,6 +73,10 @@ public:
   class Worker
   {
   public:
+    /// estimates as `Curvature_estimator::operator()` does.
+    /// \tparam Query a model of `SpiderQuery`
+    /// \param query a vertex, or a point of a face
+    /// \return the estimate
     template <typename Query>
     Estimate operator()(const Query& query)
     {
@@ -98,7 +110,10 @@ public:
     return result;
   }
 
-  /// returns the normal as `estimate_normal()` does.
+  /// estimates a normal as `estimate_normal()` does.
+  /// \tparam Query a model of `SpiderQuery`
+  /// \param query a vertex, or a point of a face
+  /// \return a unit vector, or NaN
   template <typename Query>
   Vector_3 normal(const Query& query) const
   {

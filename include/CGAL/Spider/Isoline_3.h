@@ -32,8 +32,8 @@ No two successive points are the same, but a line may touch itself, or another o
 template <typename TriangleMesh, typename GT = internal::Result_kernel_of_mesh<TriangleMesh>>
 struct Isoline_3
 {
-  using FT = typename GT::FT;
-  using Point_3 = typename GT::Point_3;
+  using FT = typename GT::FT;           ///< the number type
+  using Point_3 = typename GT::Point_3; ///< the type of the points
   /// What `CGAL::Polygon_mesh_processing::Face_location<TriangleMesh, FT>` is.
   using Face_location = std::pair<typename boost::graph_traits<TriangleMesh>::face_descriptor, std::array<FT, 3>>;
 

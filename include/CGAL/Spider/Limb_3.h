@@ -16,7 +16,11 @@
 namespace CGAL {
 namespace Spider {
 
-/// Why a limb ends where it does.
+/*!
+\ingroup PkgSpiderClasses
+
+Why a limb ends where it does (paper, 2.5).
+*/
 enum Limb_end
 {
   radius_reached, ///< its length is the geodesic radius
@@ -26,6 +30,8 @@ enum Limb_end
   degenerate      ///< the section can't be followed: it closes on itself, or starts in no face, or isn't finite
 };
 
+/// \ingroup PkgSpiderClasses
+/// writes the name of an end.
 inline std::ostream& operator<<(std::ostream& out, Limb_end end)
 {
   switch(end)
@@ -51,8 +57,9 @@ point on (paper, 2.2).
 template <typename TriangleMesh, typename GT = internal::Result_kernel_of_mesh<TriangleMesh>>
 struct Limb_3
 {
-  using FT = typename GT::FT;
-  using Point_3 = typename GT::Point_3;
+  using FT = typename GT::FT;           ///< the number type
+  using Point_3 = typename GT::Point_3; ///< the type of the points
+  /// an edge of the mesh
   using edge_descriptor = typename boost::graph_traits<TriangleMesh>::edge_descriptor;
 
   std::vector<Point_3> polyline; ///< from the query point to the limb's end; never empty

@@ -18,7 +18,11 @@
 namespace CGAL {
 namespace Spider {
 
-/// How a surface bends at a vertex, as seen from the side to which the faces point.
+/*!
+\ingroup PkgSpiderUses
+
+How a surface bends at a vertex, as seen from the side to which the faces point (paper, figure 10a).
+*/
 enum Vertex_label
 {
   convex,    ///< as a cap or a ridge: away from the normal in one direction at least, and towards it in none
@@ -28,6 +32,8 @@ enum Vertex_label
   unlabelled ///< there is no estimate
 };
 
+/// \ingroup PkgSpiderUses
+/// writes the name of a label.
 inline std::ostream& operator<<(std::ostream& out, Vertex_label label)
 {
   switch(label)
@@ -40,6 +46,7 @@ inline std::ostream& operator<<(std::ostream& out, Vertex_label label)
   }
 }
 
+/// \ingroup PkgSpiderUses
 /// returns a colour for a label: the paper's for convex (green), concave (yellow) and flat (blue), in shades that
 /// colour-blind readers tell apart (Okabe and Ito), vermilion for saddles, and grey without a label.
 inline CGAL::IO::Color label_color(Vertex_label label)
@@ -81,11 +88,11 @@ nor small, sharp details move it. It grows and shrinks with the mesh, and is nev
 surface by a ten-thousandth of its extent. Labels of several meshes compare only if they have one threshold, and on a
 surface that is flat but for noise no other than a given threshold tells noise from shape.
 
-It takes time in \f$ O(n \log n) \f$ with \f$ n \f$ the number of vertices, and linear time with a threshold given.
+It takes time in O(n log n), n the number of vertices, and linear time with a threshold given.
 
 \tparam TriangleMesh a model of `FaceGraph`
-\tparam CurvatureMap a model of `ReadablePropertyMap` from vertices to `Curvature_estimate_3`, or to another type with
-        numbers `min_curvature` and `max_curvature`
+\tparam CurvatureMap a model of `ReadablePropertyMap` from vertices to a model of `SpiderPrincipalCurvatures`, such as
+        `Curvature_estimate_3`
 \tparam LabelMap a model of `WritablePropertyMap` from vertices to `Vertex_label`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 

@@ -21,30 +21,38 @@ namespace Spider {
 /// \addtogroup PkgSpiderFields
 /// @{
 
-/// returns `Curvature_estimate_3::mean_curvature()`.
+/// returns `Curvature_estimate_3::mean_curvature()`. Models `SpiderField`.
 struct Mean_curvature
 {
+  /// \param e the estimate
+  /// \return what the member of that name does
   template <typename GT>
   typename GT::FT operator()(const Curvature_estimate_3<GT>& e) const { return e.mean_curvature(); }
 };
 
-/// returns `Curvature_estimate_3::Gaussian_curvature()`.
+/// returns `Curvature_estimate_3::Gaussian_curvature()`. Models `SpiderField`.
 struct Gaussian_curvature
 {
+  /// \param e the estimate
+  /// \return what the member of that name does
   template <typename GT>
   typename GT::FT operator()(const Curvature_estimate_3<GT>& e) const { return e.Gaussian_curvature(); }
 };
 
-/// returns `Curvature_estimate_3::shape_index()`.
+/// returns `Curvature_estimate_3::shape_index()`. Models `SpiderField`.
 struct Shape_index
 {
+  /// \param e the estimate
+  /// \return what the member of that name does
   template <typename GT>
   typename GT::FT operator()(const Curvature_estimate_3<GT>& e) const { return e.shape_index(); }
 };
 
-/// returns `Curvature_estimate_3::curvedness()`.
+/// returns `Curvature_estimate_3::curvedness()`. Models `SpiderField`.
 struct Curvedness
 {
+  /// \param e the estimate
+  /// \return what the member of that name does
   template <typename GT>
   typename GT::FT operator()(const Curvature_estimate_3<GT>& e) const { return e.curvedness(); }
 };
@@ -56,6 +64,7 @@ struct Radial_curvature
 {
   /// \param e the estimate
   /// \param view a vector of any kernel and any length, from the point of the estimate to the viewer
+  /// \return a number of the unit 1/length
   template <typename GT, typename Vector>
   typename GT::FT operator()(const Curvature_estimate_3<GT>& e, const Vector& view) const
   {
@@ -77,7 +86,12 @@ returns a readable property map from vertices to what a functor makes of their e
 
 \tparam CurvatureMap a model of `ReadablePropertyMap` from vertices to `Curvature_estimate_3`; it is copied, as property
         maps are, so what it refers to has to stay
-\tparam Field a functor that takes an estimate
+\tparam Field a model of `SpiderField`
+
+\param curvature_map the estimates
+\param field the functor, which is called whenever the map is read
+
+\return a readable property map from vertices to what `field` returns
 */
 template <typename CurvatureMap, typename Field>
 auto derived_field(CurvatureMap curvature_map, Field field)
@@ -93,6 +107,12 @@ returns a readable property map from vertices to their `Radial_curvature` for a 
 \tparam CurvatureMap a model of `ReadablePropertyMap` from vertices to `Curvature_estimate_3`
 \tparam VertexPointMap a model of `ReadablePropertyMap` from vertices to points
 \tparam Point a point type of any kernel
+
+\param curvature_map the estimates
+\param vpm the points of the vertices
+\param viewer where the surface is seen from
+
+\return a readable property map from vertices to numbers of the estimates' type, of the unit 1/length
 */
 template <typename CurvatureMap, typename VertexPointMap, typename Point>
 auto radial_curvature_field(CurvatureMap curvature_map, VertexPointMap vpm, const Point& viewer)

@@ -51,6 +51,7 @@ curvatures and the next normal:
 With `geodesic_radius` and `number_of_directions` given, it takes time linear in the number of faces crossed, whatever the
 size of the mesh.
 
+\tparam Query a model of `SpiderQuery`
 \tparam TriangleMesh a model of `FaceGraph`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 

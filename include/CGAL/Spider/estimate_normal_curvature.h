@@ -18,7 +18,9 @@ namespace Spider {
 /*!
 \ingroup PkgSpiderClasses
 
-The normal curvature of a surface at one point along one direction.
+The normal curvature of a surface at one point along one direction. What can't be estimated is NaN.
+
+\tparam FT a floating-point number type
 */
 template <typename FT>
 struct Normal_curvature
@@ -35,6 +37,7 @@ struct Normal_curvature
 estimates the curvature along a direction (paper, 2.2): the two limbs along `direction` and against it are resampled, and
 a polynomial through the query point, its tangent pulled towards the direction, is fitted to the samples by least squares.
 
+\tparam Query a model of `SpiderQuery`
 \tparam TriangleMesh a model of `FaceGraph`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 

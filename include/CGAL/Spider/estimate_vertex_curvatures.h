@@ -23,8 +23,8 @@ estimates normals and principal curvatures at all vertices, as `estimate_curvatu
 \tparam TriangleMesh a model of `FaceGraph`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
-\tparam CurvatureMap a model of `WritablePropertyMap` from vertices to `Curvature_estimate_3` of any kernel with
-        floating-point numbers
+\tparam CurvatureMap a model of `WritablePropertyMap` from vertices to a model of `SpiderCurvatureResult`, such as
+        `Curvature_estimate_3` of any kernel with floating-point numbers
 \param tmesh a triangle mesh; it is only read
 \param curvature_map takes the estimates
 \param np an optional sequence of named parameters, those of `estimate_curvature()`

@@ -18,6 +18,7 @@ namespace Spider {
 writes the end points of a spider's limbs (paper, 3.1), in angular order, counter-clockwise as seen from the tip of
 `normal`. Limbs that end early contribute the point where they end, so the ring follows borders.
 
+\tparam Query a model of `SpiderQuery`
 \tparam TriangleMesh a model of `FaceGraph`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 

@@ -10,6 +10,7 @@
 namespace CGAL {
 namespace Spider {
 
+/// \ingroup PkgSpiderParameters
 /// How the samples of a spider become principal curvatures.
 enum Estimator
 {
@@ -17,6 +18,7 @@ enum Estimator
   section_fit  ///< one polynomial per direction, then the orthogonal pair of greatest difference (paper, 2.2 and 2.3)
 };
 
+/// \ingroup PkgSpiderParameters
 /// What is measured along a limb until it reaches the geodesic radius.
 enum Limb_measure
 {
@@ -24,6 +26,7 @@ enum Limb_measure
   tangential_distance ///< the distance gained along the limb's direction, which noise doesn't lengthen
 };
 
+/// \ingroup PkgSpiderParameters
 /// Where the iteration of the normal starts.
 enum First_normal
 {
@@ -32,6 +35,7 @@ enum First_normal
   sphere_section  ///< the best-fit plane of the mesh's intersection with a sphere (paper, 2.1)
 };
 
+/// \ingroup PkgSpiderParameters
 /// How the points of a geodesic ring count for its centroid.
 enum Ring_weight
 {
@@ -39,6 +43,7 @@ enum Ring_weight
   by_arc   ///< by the length of the ring that it stands for
 };
 
+/// \ingroup PkgSpiderParameters
 /// What smoothing does to vertices on lines: borders, and constrained edges.
 enum Line_motion
 {
@@ -84,10 +89,15 @@ CGAL_SPIDER_FOR_EACH_PARAMETER(CGAL_SPIDER_TAG)
 
 A pack of named parameters that Spider's own names can be chained to. CGAL's names may follow, after which the pack is
 CGAL's: `parameters::geodesic_radius(r).number_of_directions(32).geom_traits(k)`.
+
+\tparam T the type of the last parameter's value
+\tparam Tag what tells the parameter from others
+\tparam Base the pack of the parameters before it
 */
 template <typename T, typename Tag, typename Base = CGAL::internal_np::No_property>
 struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base>
 {
+  /// CGAL's pack of the same parameters
   using Pack = CGAL::Named_function_parameters<T, Tag, Base>;
   using Pack::Pack;
 
@@ -120,6 +130,8 @@ CGAL_SPIDER_FOR_EACH_PARAMETER(CGAL_SPIDER_FUNCTION)
 starts a chain with the settings of the paper (2.6): `section_fit` with quadratics along 64 directions, resampled at a
 tenth of the radius, from the normal of the sphere's section, iterated at most ten times. What is chained to it
 overrides it, CGAL's `number_of_iterations()` included: the paper uses one round where normals are reliable.
+
+\return a pack of named parameters
 */
 inline auto as_published()
 {

@@ -24,9 +24,13 @@ resamples a limb at regular arc length (paper, 2.2): at `step`, twice `step` and
 the first point. The limb's end is the last one, so the last spacing may be shorter. Linear in the number of points read
 and written.
 
+\tparam TriangleMesh a model of `FaceGraph`
+\tparam GT the kernel of the limb
+
 \param limb the limb
 \param step a positive length; the paper takes a tenth of the geodesic radius
 
+\return the points, at least the first; a limb without length has no other
 \throw std::invalid_argument if `step` isn't a positive, finite length, or would give more than ten million points
 */
 template <typename TriangleMesh, typename GT>

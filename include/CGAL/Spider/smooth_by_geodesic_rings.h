@@ -21,7 +21,9 @@ namespace Spider {
 /*!
 \ingroup PkgSpiderClasses
 
-What `smooth_by_geodesic_rings()` did.
+What `smooth_by_geodesic_rings()` did. Lengths and volumes are in the mesh's units.
+
+\tparam FT a floating-point number type
 */
 template <typename FT>
 struct Smoothing_result
@@ -58,8 +60,12 @@ cross.
     \cgalParamType{a number, or a readable property map from vertices to numbers}
     \cgalParamDefault{half of the mean length of the edges around each vertex}
     \cgalParamExtra{the paper takes half of the mean edge length of the whole mesh (figure 11), which blurs where faces
-are small} \cgalParamNEnd \cgalParamNBegin{smoothing_factor} \cgalParamDescription{the share of the way to the ring's
-centroid that a vertex goes in a round} \cgalParamType{a number greater than 0 and at most 1} \cgalParamDefault{0.2}
+    are small}
+  \cgalParamNEnd
+  \cgalParamNBegin{smoothing_factor}
+    \cgalParamDescription{the share of the way to the ring's centroid that a vertex goes in a round}
+    \cgalParamType{a number greater than 0 and at most 1}
+    \cgalParamDefault{0.2}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_iterations}
     \cgalParamDescription{most rounds}
@@ -88,7 +94,8 @@ centroid that a vertex goes in a round} \cgalParamType{a number greater than 0 a
   \cgalParamNEnd
   \cgalParamNBegin{keep_volume}
     \cgalParamDescription{whether every round ends with a step of all free vertices along their normals, of one length,
-by which a closed mesh encloses as much as at first; of no effect on other meshes} \cgalParamType{`bool`}
+    by which a closed mesh encloses as much as at first; of no effect on other meshes}
+    \cgalParamType{`bool`}
     \cgalParamDefault{`true`}
     \cgalParamExtra{such a step leaves constrained vertices where they are, which scaling the mesh would not}
   \cgalParamNEnd

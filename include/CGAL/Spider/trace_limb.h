@@ -27,6 +27,7 @@ A vertex on the cutting plane counts as left of it, which settles all ties: a pl
 across a face without area. Where a folded star is cut in several directions the limb takes the one that deviates least
 from `direction`.
 
+\tparam Query a model of `SpiderQuery`
 \tparam TriangleMesh a model of `FaceGraph`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 

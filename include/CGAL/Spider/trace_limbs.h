@@ -16,6 +16,7 @@ namespace Spider {
 traces all limbs of a spider (paper, 2.2, figure 1): two for each of the directions that are spaced regularly over a half
 turn, in angular order, counter-clockwise as seen from the tip of `normal`.
 
+\tparam Query a model of `SpiderQuery`
 \tparam TriangleMesh a model of `FaceGraph`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 

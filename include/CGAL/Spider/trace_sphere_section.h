@@ -23,8 +23,9 @@ Other parts that come near, of another component or another fold, don't count.
 
 Inside a face the section is an arc of a circle; it is given by points on it, so close that no chord is farther than
 half a percent of the radius from the sphere. It takes time in
-\f$ O(n \log n) \f$ with \f$ n \f$ the number of faces that the sphere contains or meets.
+O(n log n), n the number of faces that the sphere contains or meets.
 
+\tparam Query a model of `SpiderQuery`
 \tparam TriangleMesh a model of `FaceGraph`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 

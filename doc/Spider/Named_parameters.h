@@ -1,0 +1,216 @@
+// For Doxygen only: the functions that <CGAL/Spider/parameters.h> makes of its list of names. A test holds the two together.
+namespace CGAL {
+namespace Spider {
+namespace parameters {
+
+/*!
+\ingroup PkgSpiderParameters
+
+the length that limbs grow to, in the mesh's units: a positive number, or a model of `SpiderRadiusMap`.
+
+<b>Default:</b> 4 times the mean edge length; in smoothing half of the mean length of the edges around each vertex. The one parameter that is worth thought: it is the size of the smallest feature of interest, and \ref choosing_the_radius tells how to choose it. Paper, 2.2 and 2.6.
+
+\param radius the value
+\return a chain of named parameters
+*/
+template <typename T>
+auto geodesic_radius(const T& radius);
+
+/*!
+\ingroup PkgSpiderParameters
+
+how many directions are spaced regularly over a half turn; each has two limbs.
+
+<b>Default:</b> 2.5 for each mean edge length of the radius, at least 16; with `section_fit` and in tracing 64 (paper, 2.6); in smoothing 16. Time grows linearly with it. Fewer than the default cost accuracy, more gain nothing that was measurable.
+
+\param count the value
+\return a chain of named parameters
+*/
+template <typename T>
+auto number_of_directions(const T& count);
+
+/*!
+\ingroup PkgSpiderParameters
+
+an `Estimator`: how samples become curvatures.
+
+<b>Default:</b> `surface_fit`. Paper, 2.2 and 2.3, and \ref design for the difference.
+
+\param kind the value
+\return a chain of named parameters
+*/
+template <typename T>
+auto estimator(const T& kind);
+
+/*!
+\ingroup PkgSpiderParameters
+
+a `Limb_measure`: what is measured along a limb until it reaches the radius.
+
+<b>Default:</b> `tangential_distance` where the estimator is `surface_fit`, else `arc_length` (paper, 2.2). Noise makes arcs longer, so by arc length a spider shrinks under noise.
+
+\param kind the value
+\return a chain of named parameters
+*/
+template <typename T>
+auto limb_measure(const T& kind);
+
+/*!
+\ingroup PkgSpiderParameters
+
+2, 3 or 4: the degree of the fitted polynomials.
+
+<b>Default:</b> 2 (paper, 2.6). 4 is the most accurate on smooth meshes without noise, and needs twice the radius under noise.
+
+\param degree the value
+\return a chain of named parameters
+*/
+template <typename T>
+auto polynomial_degree(const T& degree);
+
+/*!
+\ingroup PkgSpiderParameters
+
+the distance of samples along a limb as a share of the radius, from 0.001 to 1.
+
+<b>Default:</b> 0.1 (paper, 2.6). Of no effect on `surface_fit`, which samples each segment of a limb once.
+
+\param share the value
+\return a chain of named parameters
+*/
+template <typename T>
+auto resampling_step(const T& share);
+
+/*!
+\ingroup PkgSpiderParameters
+
+in radians: the iteration of the normal rests when it moves by no more.
+
+<b>Default:</b> 0.3; with `section_fit` 0.001. Paper, 2.4. CGAL's own `number_of_iterations()` is the most rounds, 10 by default.
+
+\param angle the value
+\return a chain of named parameters
+*/
+template <typename T>
+auto convergence_angle(const T& angle);
+
+/*!
+\ingroup PkgSpiderParameters
+
+a `First_normal`: where the iteration of the normal starts if no `vertex_normal_map()` is given.
+
+<b>Default:</b> `neighbourhood`; `sphere_section` after `as_published()` (paper, 2.1).
+
+\param kind the value
+\return a chain of named parameters
+*/
+template <typename T>
+auto first_normal(const T& kind);
+
+/*!
+\ingroup PkgSpiderParameters
+
+in degrees from 0 to 90: a limb that meets a feature edge at a smaller angle between the edge and its plane goes on.
+
+<b>Default:</b> 30. Paper, 2.5. With `surface_fit` limbs stop at feature edges at any angle. CGAL's own `edge_is_constrained_map()` names the feature edges.
+
+\param angle the value
+\return a chain of named parameters
+*/
+template <typename T>
+auto minimum_crossing_angle(const T& angle);
+
+/*!
+\ingroup PkgSpiderParameters
+
+a model of `SpiderGrowthCostMap`: by how much length in a face counts.
+
+<b>Default:</b> 1 for all faces. Paper, 2.5.
+
+\param map the value
+\return a chain of named parameters
+*/
+template <typename T>
+auto growth_cost_map(const T& map);
+
+/*!
+\ingroup PkgSpiderParameters
+
+in 1/length: the largest absolute value of a principal curvature that counts as none for `classify_vertices()`.
+
+<b>Default:</b> three quarters of the mesh's typical curvature. Paper, figure 10.
+
+\param curvature the value
+\return a chain of named parameters
+*/
+template <typename T>
+auto flatness_threshold(const T& curvature);
+
+/*!
+\ingroup PkgSpiderParameters
+
+from 0 (not itself) to 1: the share of the way to the ring's centroid that a vertex goes in a round of `smooth_by_geodesic_rings()`.
+
+<b>Default:</b> 0.2 (paper, figure 11).
+
+\param share the value
+\return a chain of named parameters
+*/
+template <typename T>
+auto smoothing_factor(const T& share);
+
+/*!
+\ingroup PkgSpiderParameters
+
+a `Ring_weight`: how the points of a ring count for its centroid.
+
+<b>Default:</b> `by_limb` (paper, 3.1).
+
+\param kind the value
+\return a chain of named parameters
+*/
+template <typename T>
+auto ring_weight(const T& kind);
+
+/*!
+\ingroup PkgSpiderParameters
+
+a `Line_motion`: what smoothing does to vertices on borders and constrained edges.
+
+<b>Default:</b> `fixed_lines`.
+
+\param kind the value
+\return a chain of named parameters
+*/
+template <typename T>
+auto line_motion(const T& kind);
+
+/*!
+\ingroup PkgSpiderParameters
+
+whether a closed mesh encloses as much after a round of smoothing as it did at first.
+
+<b>Default:</b> `true`.
+
+\param yes the value
+\return a chain of named parameters
+*/
+template <typename T>
+auto keep_volume(const T& yes);
+
+/*!
+\ingroup PkgSpiderParameters
+
+in the mesh's units: smoothing ends with the first round in which no vertex moves farther.
+
+<b>Default:</b> 0.
+
+\param length the value
+\return a chain of named parameters
+*/
+template <typename T>
+auto convergence_displacement(const T& length);
+
+} // namespace parameters
+} // namespace Spider
+} // namespace CGAL
