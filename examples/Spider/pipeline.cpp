@@ -4,6 +4,7 @@
 
 // Reads any polygons, repairs and remeshes them, estimates curvature, and writes it as properties and colours of a PLY.
 
+//! [pipeline]
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 #include <CGAL/Polygon_mesh_processing/remesh.h>
 #include <CGAL/Polygon_mesh_processing/repair_degeneracies.h>
@@ -16,7 +17,6 @@
 
 #include <cstdlib>
 #include <fstream>
-#include <iostream>
 #include <string>
 
 using Kernel = CGAL::Simple_cartesian<double>;
@@ -27,7 +27,7 @@ namespace Spider = CGAL::Spider;
 
 int main(int argc, char* argv[])
 {
-  Mesh mesh; // repaired and oriented as it is read, even from triangles that know nothing of one another, as STL's
+  Mesh mesh; // oriented as it is read, even from triangles that know nothing of one another, as STL's
   if(!PMP::IO::read_polygon_mesh(argc > 1 ? argv[1] : CGAL::data_file_path("meshes/bones.off"), mesh))
     return EXIT_FAILURE;
   PMP::triangulate_faces(mesh);
@@ -57,3 +57,4 @@ int main(int argc, char* argv[])
   std::ofstream out(argc > 2 ? argv[2] : "pipeline.ply");
   return CGAL::IO::write_PLY(out, mesh) ? EXIT_SUCCESS : EXIT_FAILURE;
 }
+//! [pipeline]

@@ -83,7 +83,8 @@ struct Curvature_estimate_3
   /// returns H = (κ<sub>min</sub> + κ<sub>max</sub>) / 2, of the unit 1/length.
   FT mean_curvature() const { return (min_curvature + max_curvature) / FT(2); }
 
-  /// returns K = κ<sub>min</sub> κ<sub>max</sub>, of the unit 1/length². H² ≥ K holds, as both come from the same two numbers.
+  /// returns K = κ<sub>min</sub> κ<sub>max</sub>, of the unit 1/length². H² ≥ K, since both come of
+  /// the same two numbers.
   FT Gaussian_curvature() const { return min_curvature * max_curvature; }
 
   /// returns Koenderink's shape index in [-1,1]: 1 on a cap (as seen from the normal's side), 0.5 on a ridge, 0 on a
