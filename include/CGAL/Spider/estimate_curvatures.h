@@ -16,6 +16,9 @@ namespace Spider {
 
 estimates normals and principal curvatures at a range of points, as `estimate_curvature()` does at one.
 
+It takes a pass over the mesh, whose memory is linear in the mesh's size, and then time linear in the number of faces that
+limbs cross.
+
 \tparam ConcurrencyTag `CGAL::Sequential_tag` (the default), `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`;
         the answers are the same to the last bit
 \tparam TriangleMesh a model of `FaceGraph`
@@ -29,7 +32,8 @@ estimates normals and principal curvatures at a range of points, as `estimate_cu
 \param np an optional sequence of named parameters, those of `estimate_curvature()`
 
 \return the output iterator behind the last estimate
-\throw std::invalid_argument if a parameter is out of its range, or a face isn't a triangle
+\throw std::invalid_argument if a parameter is out of its range, a face isn't a triangle, or there are more than 268 million
+faces
 */
 template <typename ConcurrencyTag = CGAL::Sequential_tag,
           typename QueryRange,

@@ -36,6 +36,9 @@ estimates the normal at a query point. Unlike that of `estimate_curvature()` it 
   inside the sphere, the above;
 - `incident_faces` sums the area vectors of the faces around the query point.
 
+With `geodesic_radius` given, it takes time linear in the number of faces looked at; with `sphere_section` that of
+`trace_sphere_section()`.
+
 \tparam Query a model of `SpiderQuery`
 \tparam TriangleMesh a model of `FaceGraph`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"

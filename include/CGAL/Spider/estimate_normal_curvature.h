@@ -36,6 +36,7 @@ struct Normal_curvature
 
 estimates the curvature along a direction (paper, 2.2): the two limbs along `direction` and against it are resampled, and
 a polynomial through the query point, its tangent pulled towards the direction, is fitted to the samples by least squares.
+It takes time linear in the number of faces that the two limbs cross.
 
 \tparam Query a model of `SpiderQuery`
 \tparam TriangleMesh a model of `FaceGraph`

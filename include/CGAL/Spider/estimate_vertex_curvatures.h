@@ -18,6 +18,9 @@ namespace Spider {
 
 estimates normals and principal curvatures at all vertices, as `estimate_curvature()` does at one.
 
+It takes time linear in the size of the mesh and in the number of faces that limbs cross, which grows linearly with the
+radius, and memory linear in the size of the mesh. A vertex without an estimate gets NaN and a status; it stops nothing.
+
 \tparam ConcurrencyTag `CGAL::Sequential_tag` (the default), `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`;
         the answers are the same to the last bit
 \tparam TriangleMesh a model of `FaceGraph`
@@ -29,7 +32,8 @@ estimates normals and principal curvatures at all vertices, as `estimate_curvatu
 \param curvature_map takes the estimates
 \param np an optional sequence of named parameters, those of `estimate_curvature()`
 
-\throw std::invalid_argument if a parameter is out of its range, or a face isn't a triangle
+\throw std::invalid_argument if a parameter is out of its range, a face isn't a triangle, or there are more than 268 million
+faces
 */
 template <typename ConcurrencyTag = CGAL::Sequential_tag,
           typename TriangleMesh,

@@ -18,6 +18,8 @@ namespace Spider {
 
 estimates normals at all vertices, as `estimate_normal()` does at one.
 
+With `neighbourhood` and `incident_faces` it takes time and memory linear in the size of the mesh.
+
 \tparam ConcurrencyTag `CGAL::Sequential_tag` (the default), `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`;
         the answers are the same to the last bit
 \tparam TriangleMesh a model of `FaceGraph`
@@ -28,7 +30,8 @@ estimates normals at all vertices, as `estimate_normal()` does at one.
 \param vertex_normal_map takes the normals
 \param np an optional sequence of named parameters, those of `estimate_normal()`
 
-\throw std::invalid_argument if a parameter is out of its range, or a face isn't a triangle
+\throw std::invalid_argument if a parameter is out of its range, a face isn't a triangle, or there are more than 268 million
+faces
 */
 template <typename ConcurrencyTag = CGAL::Sequential_tag,
           typename TriangleMesh,

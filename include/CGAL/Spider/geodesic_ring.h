@@ -16,7 +16,8 @@ namespace Spider {
 \ingroup PkgSpiderTracing
 
 writes the end points of a spider's limbs (paper, 3.1), in angular order, counter-clockwise as seen from the tip of
-`normal`. Limbs that end early contribute the point where they end, so the ring follows borders.
+`normal`. Limbs that end early contribute the point where they end, so the ring follows borders. It takes time linear in the
+number of faces that limbs cross.
 
 \tparam Query a model of `SpiderQuery`
 \tparam TriangleMesh a model of `FaceGraph`

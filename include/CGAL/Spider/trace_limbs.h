@@ -14,7 +14,8 @@ namespace Spider {
 \ingroup PkgSpiderTracing
 
 traces all limbs of a spider (paper, 2.2, figure 1): two for each of the directions that are spaced regularly over a half
-turn, in angular order, counter-clockwise as seen from the tip of `normal`.
+turn, in angular order, counter-clockwise as seen from the tip of `normal`. It takes time linear in the number of faces that
+limbs cross.
 
 \tparam Query a model of `SpiderQuery`
 \tparam TriangleMesh a model of `FaceGraph`
