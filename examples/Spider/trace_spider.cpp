@@ -35,7 +35,7 @@ int main(int argc, char* argv[])
 
   const Mesh::Vertex_index vertex = *mesh.vertices().begin();
   //! [limbs]
-  const auto np = params::geodesic_radius(0.2).number_of_directions(16);
+  const auto np = params::geodesic_radius(0.1).number_of_directions(8);
   const Kernel::Vector_3 normal = CGAL::Spider::estimate_normal(vertex, mesh, np);
   std::vector<CGAL::Spider::Limb_3<Mesh>> limbs;
   CGAL::Spider::trace_limbs(vertex, normal, mesh, std::back_inserter(limbs), np);

@@ -127,6 +127,9 @@ def headlines(data):
                                f"{beside('icc_ball_area', 1, 'direction')}")
         result["corrected_low_noise"] = (f"{beside('icc_ball_area', 0.25, 'H')} and "
                                          f"{beside('icc_ball_area', 0.25, 'direction')} at a quarter of the noise")
+    if any(row["estimator"] == "spider_published" for row in data["accuracy"]):
+        ratio = average("spider_published", 1, "H") / average("spider", 1, "H")
+        result["published"] = f"{ratio:.0f} times the error of H at s = 1"
     return result
 
 

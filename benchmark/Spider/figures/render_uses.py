@@ -79,22 +79,13 @@ def view(number, surface, colour, lines, viewer):
     return renderer
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("directory", type=pathlib.Path, help="where features.ply and the two OBJ files are")
-    parser.add_argument("viewer", type=float, nargs=3, help="what suggestive_contours was told")
-    parser.add_argument("output", type=pathlib.Path, help="the PNG file")
-    arguments = parser.parse_args()
-
-    surface = with_normals(read(vtk.vtkPLYReader(), arguments.directory / "features.ply"))
-    isolines = read(vtk.vtkOBJReader(), arguments.directory / "isolines.obj")
-    contours = read(vtk.vtkOBJReader(), arguments.directory / "suggestive_contours.obj")
+def save(renderers, width, height, path):
     window = vtk.vtkRenderWindow()
     window.SetOffScreenRendering(1)
     window.SetMultiSamples(0)
-    window.SetSize(3 * SIZE * SUPERSAMPLING, SIZE * SUPERSAMPLING)
-    for number, (colour, lines) in enumerate(((None, None), (PALE, isolines), (PALE, contours))):
-        window.AddRenderer(view(number, surface, colour, lines, arguments.viewer))
+    window.SetSize(width * SUPERSAMPLING, height * SUPERSAMPLING)
+    for renderer in renderers:
+        window.AddRenderer(renderer)
     window.Render()
     grabber = vtk.vtkWindowToImageFilter()
     grabber.SetInput(window)
@@ -105,8 +96,23 @@ def main():
     smaller.AveragingOn()
     writer = vtk.vtkPNGWriter()
     writer.SetInputConnection(smaller.GetOutputPort())
-    writer.SetFileName(str(arguments.output))
+    writer.SetFileName(str(path))
     writer.Write()
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("directory", type=pathlib.Path, help="where features.ply and the two OBJ files are")
+    parser.add_argument("viewer", type=float, nargs=3, help="what suggestive_contours was told")
+    parser.add_argument("output", type=pathlib.Path, help="the PNG file")
+    arguments = parser.parse_args()
+
+    surface = with_normals(read(vtk.vtkPLYReader(), arguments.directory / "features.ply"))
+    isolines = read(vtk.vtkOBJReader(), arguments.directory / "isolines.obj")
+    contours = read(vtk.vtkOBJReader(), arguments.directory / "suggestive_contours.obj")
+    renderers = [view(number, surface, colour, lines, arguments.viewer)
+                 for number, (colour, lines) in enumerate(((None, None), (PALE, isolines), (PALE, contours)))]
+    save(renderers, 3 * SIZE, SIZE, arguments.output)
 
 
 if __name__ == "__main__":
