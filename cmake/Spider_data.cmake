@@ -1,4 +1,4 @@
-# The meshes that come with CGAL, for the tests, the examples, the demo and the benchmarks: the target spider_data
+# The meshes that come with CGAL, for the tests, the examples, the tool and the benchmarks: the target spider_data
 # unpacks them once into the build tree. CGAL_DATA_DIR is the directory that CGAL::data_file_path knows by that name,
 # SPIDER_DATA_DIR the one with the meshes. Without the archive there is no such directory, and who needs a mesh skips.
 find_file(SPIDER_DATA_ARCHIVE libcgal-dev/data.tar.gz PATHS /usr/share/doc

@@ -6,8 +6,10 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 # what every build of Spider needs
 build_packages=(g++ make cmake libcgal-dev libeigen3-dev libtbb-dev)
 
-# what the comparison harness needs beyond that: to build, and to make the report
-harness_packages=(libcli11-dev libbenchmark-dev nlohmann-json3-dev)
+# what the program spider needs beyond that, and what the comparison harness needs beyond both: to build, and to make the
+# report
+tool_packages=(libcli11-dev nlohmann-json3-dev)
+harness_packages=(libbenchmark-dev)
 report_packages=(python3-jinja2 python3-matplotlib python3-numpy python3-vtk9 xvfb xauth)
 
 fail() {

@@ -11,7 +11,7 @@
 
 namespace CGAL {
 namespace Spider {
-namespace demo {
+namespace tool {
 
 void collect_connected_points(Vertex v, const Mesh& mesh, double radius, std::vector<Kernel::Point_3>& points)
 {
@@ -37,8 +37,8 @@ void collect_connected_points(Vertex v, const Mesh& mesh, double radius, std::ve
     }
 }
 
-Jet_estimator::Jet_estimator(const Mesh& mesh, double radius)
-  : m_mesh(mesh), m_radius(radius), m_normals(mesh.num_vertices())
+Jet_estimator::Jet_estimator(const Mesh& mesh, const std::vector<double>& radius_of_vertex)
+  : m_mesh(mesh), m_radius_of_vertex(radius_of_vertex), m_normals(mesh.num_vertices())
 {
   for(Vertex v : mesh.vertices())
     m_normals[v] = CGAL::Polygon_mesh_processing::compute_vertex_normal(v, mesh);
@@ -53,7 +53,7 @@ Jet_estimate Jet_estimator::operator()(Vertex v) const
   Jet_estimate estimate;
   if(m_mesh.is_isolated(v))
     return estimate;
-  collect_connected_points(v, m_mesh, m_radius, points);
+  collect_connected_points(v, m_mesh, m_radius_of_vertex[v], points);
   if(points.size() < number_of_coefficients)
     return estimate;
 
@@ -66,6 +66,6 @@ Jet_estimate Jet_estimator::operator()(Vertex v) const
   return estimate;
 }
 
-} // namespace demo
+} // namespace tool
 } // namespace Spider
 } // namespace CGAL

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SPIDER_DEMO_COLOUR_H
-#define CGAL_SPIDER_DEMO_COLOUR_H
+#ifndef CGAL_SPIDER_TOOL_COLOUR_H
+#define CGAL_SPIDER_TOOL_COLOUR_H
 
 #include <CGAL/IO/Color.h>
 
@@ -13,7 +13,7 @@
 
 namespace CGAL {
 namespace Spider {
-namespace demo {
+namespace tool {
 
 // returns the colour of a value between -limit (blue) through 0 (white) to limit (red); values beyond get the ends'
 // colours, and what is no number is dark grey, which the map doesn't have otherwise.
@@ -42,8 +42,8 @@ inline CGAL::IO::Color diverging_colour(double value, double limit)
   return CGAL::IO::Color(channel(0), channel(1), channel(2));
 }
 
-} // namespace demo
+} // namespace tool
 } // namespace Spider
 } // namespace CGAL
 
-#endif // CGAL_SPIDER_DEMO_COLOUR_H
+#endif // CGAL_SPIDER_TOOL_COLOUR_H

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SPIDER_DEMO_STATISTICS_H
-#define CGAL_SPIDER_DEMO_STATISTICS_H
+#ifndef CGAL_SPIDER_TOOL_STATISTICS_H
+#define CGAL_SPIDER_TOOL_STATISTICS_H
 
 #include <cmath> // before Boost's header, which needs it in its version 1.74 without including it
 
@@ -15,7 +15,7 @@
 
 namespace CGAL {
 namespace Spider {
-namespace demo {
+namespace tool {
 
 // returns the numbers among the values, ascending.
 inline std::vector<double> sorted_numbers(std::vector<double> values)
@@ -60,8 +60,8 @@ inline Agreement agreement(const std::vector<double>& first, const std::vector<d
   return {quantile(difference, 0.5), quantile(difference, 0.95), correlation};
 }
 
-} // namespace demo
+} // namespace tool
 } // namespace Spider
 } // namespace CGAL
 
-#endif // CGAL_SPIDER_DEMO_STATISTICS_H
+#endif // CGAL_SPIDER_TOOL_STATISTICS_H

@@ -18,7 +18,7 @@
 
 namespace CGAL {
 namespace Spider {
-namespace demo {
+namespace tool {
 
 namespace {
 
@@ -95,6 +95,6 @@ Mesh read_mesh(const std::string& file)
   return mesh;
 }
 
-} // namespace demo
+} // namespace tool
 } // namespace Spider
 } // namespace CGAL

@@ -2,10 +2,12 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The parts of the demo program. Whether the whole of it runs is tested by demo_runs.cmake.
+// The parts of the program spider. What the whole of it does is tested by tool_runs.cmake.
 
 #include "Jet_estimator.h"
+#include "VTP_writer.h"
 #include "colour.h"
+#include "command_line.h"
 #include "for_each_vertex.h"
 #include "read_mesh.h"
 #include "statistics.h"
@@ -18,13 +20,14 @@
 #include <atomic>
 #include <cmath>
 #include <fstream>
+#include <sstream>
 
 namespace {
 
-namespace demo = CGAL::Spider::demo;
-using demo::Kernel;
-using demo::Mesh;
-using demo::Vertex;
+namespace tool = CGAL::Spider::tool;
+using tool::Kernel;
+using tool::Mesh;
+using tool::Vertex;
 
 constexpr double nan_value = std::numeric_limits<double>::quiet_NaN();
 
@@ -63,32 +66,33 @@ std::string refusal(const std::string& file)
 {
   try
   {
-    demo::read_mesh(file);
+    tool::read_mesh(file);
   }
-  catch(const demo::Unusable_mesh& reason)
+  catch(const tool::Unusable_mesh& reason)
   {
     return reason.what();
   }
   return "";
 }
 
-TEST(Demo_jets, have_spiders_signs)
+TEST(Tool_jets, have_spiders_signs)
 {
   // The fit's own error at this radius is that of a quadratic on an arc of 0.15 radians, (r/R)^2 of the curvature.
   Mesh mesh = spherical_cap();
   const Vertex centre = vertex_nearest_to(mesh, {0.5, 0.5, 0});
-  const auto convex = demo::Jet_estimator(mesh, 0.3)(centre);
+  const std::vector<double> radii(mesh.num_vertices(), 0.3);
+  const auto convex = tool::Jet_estimator(mesh, radii)(centre);
   EXPECT_NEAR(convex.min_curvature, 0.5, 0.5 * 0.0225);
   EXPECT_NEAR(convex.max_curvature, 0.5, 0.5 * 0.0225);
   EXPECT_LE(convex.min_curvature, convex.max_curvature);
 
   CGAL::Polygon_mesh_processing::reverse_face_orientations(mesh);
-  const auto concave = demo::Jet_estimator(mesh, 0.3)(centre);
+  const auto concave = tool::Jet_estimator(mesh, radii)(centre);
   EXPECT_DOUBLE_EQ(concave.min_curvature, -convex.max_curvature);
   EXPECT_DOUBLE_EQ(concave.max_curvature, -convex.min_curvature);
 }
 
-TEST(Demo_jets, take_connected_vertices_within_the_radius)
+TEST(Tool_jets, take_connected_vertices_within_the_radius)
 {
   Mesh mesh = spherical_cap();
   const Vertex centre = vertex_nearest_to(mesh, {0.5, 0.5, 0});
@@ -101,79 +105,125 @@ TEST(Demo_jets, take_connected_vertices_within_the_radius)
   std::vector<Kernel::Point_3> points;
   for(int repeat = 0; repeat < 2; ++repeat)
   {
-    demo::collect_connected_points(centre, mesh, radius, points);
+    tool::collect_connected_points(centre, mesh, radius, points);
     EXPECT_EQ(points.size(), within);
     EXPECT_EQ(points.front(), mesh.point(centre));
   }
 }
 
-TEST(Demo_jets, say_nan_where_points_are_too_few)
+TEST(Tool_jets, say_nan_where_points_are_too_few)
 {
   Mesh mesh;
   CGAL::make_tetrahedron(Kernel::Point_3(0, 0, 0), {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, mesh);
   const Vertex isolated = mesh.add_vertex(Kernel::Point_3(2, 2, 2));
-  const demo::Jet_estimator jets(mesh, 10);
+  const std::vector<double> radii(mesh.num_vertices(), 10);
+  const tool::Jet_estimator jets(mesh, radii);
   for(Vertex v : mesh.vertices())
     EXPECT_TRUE(std::isnan(jets(v).mean_curvature())) << v;
   EXPECT_TRUE(std::isnan(jets(isolated).max_curvature));
 }
 
-TEST(Demo_for_each_vertex, visits_every_vertex_once)
+TEST(Tool_for_each_vertex, visits_every_vertex_once)
 {
   for(std::size_t n : {0, 1, 49, 50, 1234})
   {
-    Mesh mesh;
+    std::vector<Vertex> vertices;
     for(std::size_t i = 0; i < n; ++i)
-      mesh.add_vertex(Kernel::Point_3(0, 0, 0));
+      vertices.emplace_back(i);
     std::vector<std::atomic<int>> visits(n);
     testing::internal::CaptureStderr();
-    EXPECT_GE(demo::for_each_vertex(mesh, "title", [&] { return [&](Vertex v) { ++visits[v]; }; }), 0);
+    EXPECT_GE(tool::for_each_vertex(vertices, "title", [&] { return [&](Vertex v) { ++visits[v]; }; }), 0);
     EXPECT_EQ(testing::internal::GetCapturedStderr().find("title"), 0u);
     EXPECT_TRUE(std::all_of(visits.begin(), visits.end(), [](int count) { return count == 1; })) << n;
   }
 }
 
-TEST(Demo_statistics, quantiles_interpolate_and_leave_nan_out)
+TEST(Tool_for_each_vertex, is_silent_without_a_title)
 {
-  const auto sorted = demo::sorted_numbers({4, nan_value, 1, 3, 2});
-  ASSERT_EQ(sorted, (std::vector<double>{1, 2, 3, 4}));
-  EXPECT_DOUBLE_EQ(demo::quantile(sorted, 0), 1);
-  EXPECT_DOUBLE_EQ(demo::quantile(sorted, 0.5), 2.5);
-  EXPECT_DOUBLE_EQ(demo::quantile(sorted, 1), 4);
-  EXPECT_TRUE(std::isnan(demo::quantile({}, 0.5)));
+  testing::internal::CaptureStderr();
+  tool::for_each_vertex({Vertex(0)}, "", [] { return [](Vertex) {}; });
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }
 
-TEST(Demo_statistics, agreement_counts_places_where_both_give_a_number)
+TEST(Tool_statistics, quantiles_interpolate_and_leave_nan_out)
 {
-  const auto same_but_shifted = demo::agreement({1, 2, 3, nan_value, 5}, {1.5, 2.5, 3.5, 4, nan_value});
+  const auto sorted = tool::sorted_numbers({4, nan_value, 1, 3, 2});
+  ASSERT_EQ(sorted, (std::vector<double>{1, 2, 3, 4}));
+  EXPECT_DOUBLE_EQ(tool::quantile(sorted, 0), 1);
+  EXPECT_DOUBLE_EQ(tool::quantile(sorted, 0.5), 2.5);
+  EXPECT_DOUBLE_EQ(tool::quantile(sorted, 1), 4);
+  EXPECT_TRUE(std::isnan(tool::quantile({}, 0.5)));
+}
+
+TEST(Tool_statistics, agreement_counts_places_where_both_give_a_number)
+{
+  const auto same_but_shifted = tool::agreement({1, 2, 3, nan_value, 5}, {1.5, 2.5, 3.5, 4, nan_value});
   EXPECT_DOUBLE_EQ(same_but_shifted.median_difference, 0.5);
   EXPECT_DOUBLE_EQ(same_but_shifted.large_difference, 0.5);
   EXPECT_DOUBLE_EQ(same_but_shifted.correlation, 1);
-  EXPECT_DOUBLE_EQ(demo::agreement({1, 2, 3}, {3, 2, 1}).correlation, -1);
+  EXPECT_DOUBLE_EQ(tool::agreement({1, 2, 3}, {3, 2, 1}).correlation, -1);
 }
 
-TEST(Demo_colour, diverges_from_white)
+TEST(Tool_colour, diverges_from_white)
 {
   using CGAL::IO::Color;
-  EXPECT_EQ(demo::diverging_colour(0, 2), Color(247, 247, 247));
-  EXPECT_EQ(demo::diverging_colour(2, 2), Color(178, 24, 43));
-  EXPECT_EQ(demo::diverging_colour(1e9, 2), Color(178, 24, 43));
-  EXPECT_EQ(demo::diverging_colour(-2, 2), Color(33, 102, 172));
-  EXPECT_EQ(demo::diverging_colour(1, 2), Color(244, 165, 130));
-  EXPECT_EQ(demo::diverging_colour(nan_value, 2), Color(64, 64, 64));
-  EXPECT_EQ(demo::diverging_colour(0, 0), Color(247, 247, 247));
+  EXPECT_EQ(tool::diverging_colour(0, 2), Color(247, 247, 247));
+  EXPECT_EQ(tool::diverging_colour(2, 2), Color(178, 24, 43));
+  EXPECT_EQ(tool::diverging_colour(1e9, 2), Color(178, 24, 43));
+  EXPECT_EQ(tool::diverging_colour(-2, 2), Color(33, 102, 172));
+  EXPECT_EQ(tool::diverging_colour(1, 2), Color(244, 165, 130));
+  EXPECT_EQ(tool::diverging_colour(nan_value, 2), Color(64, 64, 64));
+  EXPECT_EQ(tool::diverging_colour(0, 0), Color(247, 247, 247));
 }
 
-TEST(Demo_read_mesh, triangulates_polygons)
+TEST(Tool_vtp_writer, pads_base_64_as_its_length_asks_for)
 {
-  const auto mesh = demo::read_mesh(written_file("quad.off", "OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n"));
+  // a length of eight bytes, then the bytes: by Python's base64 module
+  const std::vector<std::pair<std::vector<unsigned char>, std::string>> cases = {{{}, ">AAAAAAAAAAA=<"},
+                                                                                 {{1}, ">AQAAAAAAAAAB<"},
+                                                                                 {{1, 2}, ">AgAAAAAAAAABAg==<"},
+                                                                                 {{1, 2, 255}, ">AwAAAAAAAAABAv8=<"}};
+  for(const auto& [bytes, expected] : cases)
+  {
+    std::ostringstream out;
+    tool::VTP_writer(out, 0, 0, 0).array("bytes", bytes);
+    EXPECT_NE(out.str().find(expected), std::string::npos) << out.str();
+  }
+}
+
+TEST(Tool_vtp_writer, closes_what_it_opens)
+{
+  std::ostringstream out;
+  tool::VTP_writer(out, 0, 0, 0).open("PointData");
+  EXPECT_NE(out.str().find("</PointData>\n</Piece>\n</PolyData>\n</VTKFile>\n"), std::string::npos) << out.str();
+}
+
+TEST(Tool_manual_page, has_every_option_that_the_help_has)
+{
+  CLI::App app;
+  tool::Settings settings;
+  tool::describe_command_line(app, settings);
+  const std::string page = tool::manual_page(app);
+  for(const CLI::Option* option : app.get_options())
+    for(const std::string& name : option->get_lnames())
+    {
+      std::string in_page = "\\-\\-";
+      for(char c : name)
+        in_page += c == '-' ? "\\-" : std::string(1, c);
+      EXPECT_NE(page.find(in_page), std::string::npos) << name;
+    }
+}
+
+TEST(Tool_read_mesh, triangulates_polygons)
+{
+  const auto mesh = tool::read_mesh(written_file("quad.off", "OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n"));
   EXPECT_EQ(mesh.number_of_vertices(), 4u);
   EXPECT_EQ(mesh.number_of_faces(), 2u);
 }
 
-TEST(Demo_read_mesh, joins_the_triangles_of_an_stl_file)
+TEST(Tool_read_mesh, joins_the_triangles_of_an_stl_file)
 {
-  const auto mesh = demo::read_mesh(written_file("two.stl", R"(solid two
+  const auto mesh = tool::read_mesh(written_file("two.stl", R"(solid two
 facet normal 0 0 1
 outer loop
 vertex 0 0 0
@@ -195,24 +245,24 @@ endsolid two
   EXPECT_EQ(mesh.number_of_edges(), 5u);
 }
 
-TEST(Demo_read_mesh, turns_faces_to_agree)
+TEST(Tool_read_mesh, turns_faces_to_agree)
 {
   const auto mesh =
-    demo::read_mesh(written_file("turned.off", "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 3 2\n"));
+    tool::read_mesh(written_file("turned.off", "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 3 2\n"));
   EXPECT_EQ(mesh.number_of_vertices(), 4u);
   EXPECT_EQ(mesh.number_of_edges(), 5u);
 }
 
-TEST(Demo_read_mesh, gives_parts_that_meet_at_a_vertex_one_each)
+TEST(Tool_read_mesh, gives_parts_that_meet_at_a_vertex_one_each)
 {
-  const auto mesh = demo::read_mesh(
+  const auto mesh = tool::read_mesh(
     written_file("touching.off", "OFF\n5 2 0\n0 0 0\n1 0 0\n0 1 0\n-1 0 0\n0 -1 0\n3 0 1 2\n3 0 3 4\n"));
   EXPECT_TRUE(mesh.is_valid());
   EXPECT_EQ(mesh.number_of_vertices(), 6u);
   EXPECT_EQ(mesh.number_of_edges(), 6u);
 }
 
-TEST(Demo_read_mesh, refuses_in_one_line)
+TEST(Tool_read_mesh, refuses_in_one_line)
 {
   const std::string fin = "OFF\n5 3 0\n0 0 0\n1 0 0\n0 1 0\n0 -1 0\n0 0 1\n3 0 1 2\n3 0 1 3\n3 0 1 4\n";
   const std::string moebius_strip = "OFF\n5 5 0\n0 0 0\n1 0 1\n2 0 0\n2 2 1\n0 2 0\n"

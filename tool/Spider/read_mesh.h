@@ -2,30 +2,29 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SPIDER_DEMO_READ_MESH_H
-#define CGAL_SPIDER_DEMO_READ_MESH_H
+#ifndef CGAL_SPIDER_TOOL_READ_MESH_H
+#define CGAL_SPIDER_TOOL_READ_MESH_H
 
-#include "demo_types.h"
+#include "tool_types.h"
 
-#include <stdexcept>
 #include <string>
 
 namespace CGAL {
 namespace Spider {
-namespace demo {
+namespace tool {
 
 // what() is one line for whoever chose the file.
-class Unusable_mesh : public std::runtime_error
+class Unusable_mesh : public File_error
 {
 public:
-  Unusable_mesh(const std::string& file, const std::string& reason) : std::runtime_error(file + ": " + reason) {}
+  using File_error::File_error;
 };
 
 // returns the mesh in an OFF, OBJ, PLY or STL file, its polygons triangulated; throws Unusable_mesh if there is none.
 Mesh read_mesh(const std::string& file);
 
-} // namespace demo
+} // namespace tool
 } // namespace Spider
 } // namespace CGAL
 
-#endif // CGAL_SPIDER_DEMO_READ_MESH_H
+#endif // CGAL_SPIDER_TOOL_READ_MESH_H

@@ -2,10 +2,10 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SPIDER_DEMO_FOR_EACH_VERTEX_H
-#define CGAL_SPIDER_DEMO_FOR_EACH_VERTEX_H
+#ifndef CGAL_SPIDER_TOOL_FOR_EACH_VERTEX_H
+#define CGAL_SPIDER_TOOL_FOR_EACH_VERTEX_H
 
-#include "demo_types.h"
+#include "tool_types.h"
 
 #include <CGAL/Real_timer.h>
 #include <CGAL/for_each.h>
@@ -16,24 +16,27 @@
 
 #include <algorithm>
 #include <iostream>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace CGAL {
 namespace Spider {
-namespace demo {
+namespace tool {
 
-// calls worker(v) for every vertex, on all cores where TBB is there, under a bar that shows how far the work is; workers
-// are made by make_worker(), each for one thread and many vertices. Returns the seconds that it took.
+// calls worker(v) for every vertex, on all cores where TBB is there, under a bar that shows how far the work is, unless
+// that has no title; workers are made by make_worker(), each for one thread and many vertices. Returns the seconds that
+// it took.
 template <typename MakeWorker>
-double for_each_vertex(const Mesh& mesh, const std::string& title, const MakeWorker& make_worker)
+double for_each_vertex(const std::vector<Vertex>& vertices, const std::string& title, const MakeWorker& make_worker)
 {
   constexpr std::size_t vertices_per_worker = 128; // enough to make a worker worth it
   // as many parts as the bar has ticks
   constexpr std::size_t number_of_parts = 50;
 
-  const std::vector<Vertex> vertices(mesh.vertices().begin(), mesh.vertices().end());
-  boost::timer::progress_display progress(vertices.size(), std::cerr, title + "\n");
+  std::optional<boost::timer::progress_display> progress;
+  if(!title.empty())
+    progress.emplace(vertices.size(), std::cerr, title + "\n");
   CGAL::Real_timer timer;
   timer.start();
   for(std::size_t part = 0; part < number_of_parts; ++part)
@@ -49,13 +52,14 @@ double for_each_vertex(const Mesh& mesh, const std::string& title, const MakeWor
         worker(vertices[i]);
       return true; // CGAL's word for: go on
     });
-    progress += end - begin;
+    if(progress)
+      *progress += end - begin;
   }
   return timer.time();
 }
 
-} // namespace demo
+} // namespace tool
 } // namespace Spider
 } // namespace CGAL
 
-#endif // CGAL_SPIDER_DEMO_FOR_EACH_VERTEX_H
+#endif // CGAL_SPIDER_TOOL_FOR_EACH_VERTEX_H

@@ -2,17 +2,17 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SPIDER_DEMO_JET_ESTIMATOR_H
-#define CGAL_SPIDER_DEMO_JET_ESTIMATOR_H
+#ifndef CGAL_SPIDER_TOOL_JET_ESTIMATOR_H
+#define CGAL_SPIDER_TOOL_JET_ESTIMATOR_H
 
-#include "demo_types.h"
+#include "tool_types.h"
 
 #include <limits>
 #include <vector>
 
 namespace CGAL {
 namespace Spider {
-namespace demo {
+namespace tool {
 
 struct Jet_estimate
 {
@@ -26,23 +26,24 @@ struct Jet_estimate
 // fills `points` with v's and those of the vertices that edges connect with v inside the ball of the radius around v.
 void collect_connected_points(Vertex v, const Mesh& mesh, double radius, std::vector<Kernel::Point_3>& points);
 
-// CGAL's jet fitting of degree 2, from all connected vertices within a radius, with Spider's signs.
+// CGAL's jet fitting of degree 2, from all connected vertices within a radius (one for each vertex), with Spider's
+// signs.
 class Jet_estimator
 {
 public:
-  Jet_estimator(const Mesh& mesh, double radius);
+  Jet_estimator(const Mesh& mesh, const std::vector<double>& radius_of_vertex);
 
   // NaN where the neighbourhood has fewer points than the polynomial has coefficients
   Jet_estimate operator()(Vertex v) const;
 
 private:
   const Mesh& m_mesh;
-  double m_radius;
+  const std::vector<double>& m_radius_of_vertex;
   std::vector<Kernel::Vector_3> m_normals;
 };
 
-} // namespace demo
+} // namespace tool
 } // namespace Spider
 } // namespace CGAL
 
-#endif // CGAL_SPIDER_DEMO_JET_ESTIMATOR_H
+#endif // CGAL_SPIDER_TOOL_JET_ESTIMATOR_H
