@@ -31,3 +31,8 @@ if(SPIDER_DATA_ARCHIVE)
                                                           "written: .*sphere.png" SKIP_REGULAR_EXPRESSION
                                                           "spider-picture: there is no")
 endif()
+
+# With the library installed, so is the program, and it finds what it needs.
+add_test(NAME tool_is_installed COMMAND ${CMAKE_CURRENT_BINARY_DIR}/consumer/prefix/bin/spider --version)
+set_tests_properties(tool_is_installed PROPERTIES FIXTURES_REQUIRED spider_installed PASS_REGULAR_EXPRESSION
+                                                  "^spider ${PROJECT_VERSION}")

@@ -1,0 +1,87 @@
+// Copyright (c) 2026 The Spider developers.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPIDER_TOOL_SETTINGS_H
+#define CGAL_SPIDER_TOOL_SETTINGS_H
+
+#include <CGAL/Spider/parameters.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Spider {
+namespace tool {
+
+// The named parameters of estimation that are plain values; what isn't given is left to the library's defaults.
+struct Estimation_settings
+{
+  bool as_published = false;
+  std::optional<Estimator> estimator;
+  std::optional<Limb_measure> limb_measure;
+  std::optional<First_normal> first_normal;
+  // wide and signed, so that the library sees, and refuses, what was typed
+  std::optional<long long> number_of_directions, polynomial_degree, number_of_iterations;
+  std::optional<double> resampling_step, convergence_angle, minimum_crossing_angle;
+};
+
+// How far limbs grow: lengths, multiples of the mean edge length, or what the library suggests.
+struct Radius_settings
+{
+  std::vector<double> lengths, in_edges;
+  bool is_suggested = false;
+  bool is_suggested_by_vertex = false;
+};
+
+struct Smoothing_settings
+{
+  std::optional<long long> rounds; // none: no smoothing
+  std::optional<double> radius, factor, convergence_displacement;
+  Ring_weight ring_weight = by_limb;
+  Line_motion line_motion = fixed_lines;
+  bool keeps_volume = true;
+};
+
+// A line along which a field has a value.
+struct Isoline_request
+{
+  std::string field;
+  double value;
+};
+
+struct Picture_settings
+{
+  std::string file;
+  std::vector<double> view = {0.3, 0.3, 1}; // from the mesh to the viewer
+  std::vector<double> up = {0, 1, 0};
+};
+
+// All that the command line says.
+struct Settings
+{
+  std::string mesh;
+  Radius_settings radius;
+  Estimation_settings estimation;
+  std::optional<double> feature_angle;
+  std::string growth_costs; // a file
+  Smoothing_settings smoothing;
+
+  std::string output, mesh_output, isolines_output = "isolines.vtp";
+  std::string colour_by = "H";
+  bool labels = false;
+  std::optional<double> flatness_threshold;
+  std::vector<Isoline_request> isolines;
+  Picture_settings picture;
+
+  bool compares_with_jets = false;
+  bool is_quiet = false;
+  bool is_json = false;
+};
+
+} // namespace tool
+} // namespace Spider
+} // namespace CGAL
+
+#endif // CGAL_SPIDER_TOOL_SETTINGS_H

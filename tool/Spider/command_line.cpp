@@ -1,0 +1,326 @@
+// Copyright (c) 2026 The Spider developers.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "command_line.h"
+
+#include "fields.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <map>
+#include <memory>
+
+namespace CGAL {
+namespace Spider {
+namespace tool {
+
+namespace {
+
+const char* const description =
+  R"(Curvature of a triangle mesh, at every vertex, by the spider operator.
+
+From each vertex, lines walk over the surface in all directions until they are as long as the geodesic radius, and
+curvature is fitted to what they meet. So the radius is the one choice that matters: it is the size of the smallest
+detail that you want to see, and it must be large enough for noise to average out. Begin with --suggest-radius.
+
+Curvature is positive where the surface bends away from its outer side: a ball of radius R has H = 1/R. Its unit is one
+over the mesh's unit of length. H is the mean of the principal curvatures k_min and k_max, K their product.)";
+
+const char* const examples =
+  R"(Examples:
+  spider scan.stl --suggest-radius --output scan.ply
+      estimates at a radius that suits the scan and its noise; MeshLab, ParaView and Blender show the file in colour
+  spider scan.stl --geodesic-radius 0.5 --output scan.csv
+      one line per vertex, for a spreadsheet or for Python
+  spider scan.ply --radius-in-edges 2,4,8 --output scan.vtp
+      three radii, in mean edge lengths: H_r2a, H_r4a and H_r8a
+  spider part.off --feature-angle 40 --output part.vtp --picture part.png
+      patches apart at edges that turn by more than 40 degrees, and a picture
+  spider head.obj --labels --isolines H=0,k_max=0.2 --isolines-output lines.obj --output head.ply
+      convex, concave, flat and saddle vertices, and two kinds of lines
+  spider noisy.off --smooth 10 --mesh-output smooth.off
+      noise off the mesh itself
+  spider scan.stl --json --quiet | jq '.runs[0].H.median'
+      for scripts
+
+Exit status:
+  0  all went well
+  1  the mesh can't be read, or isn't one that has curvature: what is wrong is said in one line
+  2  wrong usage: an unknown option, or a value out of its range
+  3  a file can't be written, or a picture can't be rendered
+  4  anything else)";
+
+// Names an option and its values; which others it excludes or needs would drown that.
+class Short_formatter : public CLI::Formatter
+{
+public:
+  std::string make_option_opts(const CLI::Option* option) const override
+  {
+    return option->get_type_size() > 0 && !option->get_positional() ? " " + option->get_type_name() : "";
+  }
+};
+
+// CLI11's own check would tell the greatest number there is, digit by digit.
+std::string is_positive(const std::string& text)
+{
+  const double value = std::strtod(text.c_str(), nullptr);
+  return value > 0 && std::isfinite(value) ? "" : text + " is no positive number";
+}
+
+// adds an option whose values are the names of an enumeration's.
+template <typename Enum, typename Value>
+CLI::Option* add_choice(CLI::App& app, const std::string& name, Value& value,
+                        const std::map<std::string, Enum>& choices, const std::string& description)
+{
+  return app
+    .add_option_function<std::string>(
+      name, [&value, choices](const std::string& text) { value = choices.at(text); }, description)
+    ->check(CLI::IsMember(choices))
+    ->type_name("NAME");
+}
+
+// Lists are one word, by commas: what follows isn't theirs.
+template <typename Number>
+CLI::Option* add_list(CLI::App& app, const std::string& name, std::vector<Number>& values,
+                      const std::string& description)
+{
+  return app.add_option(name, values, description)->delimiter(',')->allow_extra_args(false);
+}
+
+Isoline_request isoline_request(const std::string& text)
+{
+  const auto equals = text.find('=');
+  const std::string field = text.substr(0, equals);
+  const auto names = field_names();
+  if(equals == std::string::npos || std::find(names.begin(), names.end(), field) == names.end())
+    throw CLI::ValidationError("--isolines", text + " isn't one of the fields, an equals sign and a number, like H=0");
+  char* end;
+  const std::string number = text.substr(equals + 1);
+  const double value = std::strtod(number.c_str(), &end);
+  if(number.empty() || *end != '\0' || !std::isfinite(value))
+    throw CLI::ValidationError("--isolines", text + " doesn't give a finite number");
+  return {field, value};
+}
+
+void add_radius_options(CLI::App& app, Radius_settings& radius)
+{
+  auto* lengths =
+    add_list(app, "--geodesic-radius", radius.lengths, "In the mesh's units; several by commas give as many estimates")
+      ->check(is_positive)
+      ->type_name("LENGTH");
+  auto* in_edges = add_list(app, "--radius-in-edges", radius.in_edges,
+                            "In mean edge lengths of the mesh, a; several by commas. 4 if nothing is said of radii")
+                     ->check(is_positive)
+                     ->type_name("NUMBER");
+  auto* suggested = app.add_flag("--suggest-radius", radius.is_suggested,
+                                 "The radius at which noise and blurring are in balance on this mesh");
+  auto* by_vertex = app.add_flag("--suggest-radius-by-vertex", radius.is_suggested_by_vertex,
+                                 "The same for each vertex, by how dense vertices are around it");
+  const std::vector<CLI::Option*> all = {lengths, in_edges, suggested, by_vertex};
+  for(auto* option : all)
+  {
+    option->group("Radius (one of)");
+    for(auto* other : all)
+      if(other != option)
+        option->excludes(other);
+  }
+}
+
+void add_estimation_options(CLI::App& app, Estimation_settings& estimation)
+{
+  const std::string group = "Estimation";
+  app
+    .add_flag("--as-published", estimation.as_published,
+              "The paper's settings instead of Spider's; options given beside it win")
+    ->group(group);
+  add_choice<Estimator>(app, "--estimator", estimation.estimator,
+                        {{"surface_fit", surface_fit}, {"section_fit", section_fit}},
+                        "One fit to all lines (surface_fit, the default), or one for each\nand the best pair of them "
+                        "(section_fit, the paper's)")
+    ->group(group);
+  app
+    .add_option("--polynomial-degree", estimation.polynomial_degree,
+                "Of the fit: 2, 3 or 4; 4 is for meshes without noise [2]")
+    ->group(group);
+  app
+    .add_option("--number-of-directions", estimation.number_of_directions,
+                "Over a half turn, two lines each [surface_fit: 2.5 for\neach edge length of the radius, at least 16; "
+                "section_fit: 64]")
+    ->group(group);
+  add_choice<Limb_measure>(app, "--limb-measure", estimation.limb_measure,
+                           {{"arc_length", arc_length}, {"tangential_distance", tangential_distance}},
+                           "What the radius measures: the line (arc_length), or its shadow on\nthe tangent plane "
+                           "(tangential_distance) [surface_fit: the latter]")
+    ->group(group);
+  app
+    .add_option("--resampling-step", estimation.resampling_step,
+                "Distance of section_fit's samples, as a share of the radius [0.1]")
+    ->group(group);
+  app
+    .add_option("--number-of-iterations", estimation.number_of_iterations,
+                "Most rounds in which a better normal is found [10]")
+    ->group(group);
+  app
+    .add_option("--convergence-angle", estimation.convergence_angle,
+                "Radians: rounds end when the normal moves less\n[surface_fit: 0.3; section_fit: 0.001]")
+    ->group(group);
+  add_choice<First_normal>(
+    app, "--first-normal", estimation.first_normal,
+    {{"incident_faces", incident_faces}, {"neighbourhood", neighbourhood}, {"sphere_section", sphere_section}},
+    "Of the first round: from the faces around the vertex, from a\nneighbourhood as the radius has it (the default), "
+    "or "
+    "from the\nsection with a sphere (the paper's)")
+    ->group(group);
+}
+
+void add_feature_options(CLI::App& app, Settings& settings)
+{
+  const std::string group = "Features";
+  app
+    .add_option("--feature-angle", settings.feature_angle,
+                "Degrees: lines don't cross edges at which faces turn by more, so\npatches are estimated apart")
+    ->check(CLI::Range(0., 180.))
+    ->group(group);
+  app
+    .add_option("--minimum-crossing-angle", settings.estimation.minimum_crossing_angle,
+                "Degrees: section_fit's lines that meet such an edge at less go on [30]")
+    ->group(group);
+  app
+    .add_option("--growth-costs", settings.growth_costs,
+                "A text file with a number of at least 1 for each face, by which\nlength in that face counts; inf "
+                "stops lines")
+    ->type_name("FILE")
+    ->group(group);
+}
+
+void add_smoothing_options(CLI::App& app, Smoothing_settings& smoothing)
+{
+  const std::string group = "Smoothing (before all else)";
+  auto* rounds = app.add_option("--smooth", smoothing.rounds,
+                                "Rounds in which vertices move towards the centroids of\ntheir geodesic rings, "
+                                "for example 10");
+  const std::vector<CLI::Option*> details = {
+    app.add_option("--smoothing-factor", smoothing.factor, "Share of the way that a vertex goes in a round [0.2]"),
+    app
+      .add_option("--smoothing-radius", smoothing.radius,
+                  "Of the rings, in the mesh's units [half of the mean length of the\nedges around each vertex]")
+      ->type_name("LENGTH"),
+    add_choice<Ring_weight>(
+      app, "--ring-weight", smoothing.ring_weight, {{"by_limb", by_limb}, {"by_arc", by_arc}},
+      "What counts alike: every line (by_limb, the default), or\nevery piece of the ring (by_arc)"),
+    add_choice<Line_motion>(app, "--line-motion", smoothing.line_motion,
+                            {{"fixed_lines", fixed_lines}, {"sliding_lines", sliding_lines}},
+                            "Vertices on borders and features stay (fixed_lines, the\ndefault) or spread out along "
+                            "them (sliding_lines)"),
+    app
+      .add_option("--convergence-displacement", smoothing.convergence_displacement,
+                  "Rounds end when no vertex moves farther [0]")
+      ->type_name("LENGTH"),
+    app.add_flag("--keep-volume,!--lose-volume", smoothing.keeps_volume,
+                 "Whether a closed mesh keeps what it encloses (the default)")};
+  rounds->group(group);
+  for(auto* option : details)
+    option->needs(rounds)->group(group);
+}
+
+void add_output_options(CLI::App& app, Settings& settings)
+{
+  const std::string group = "Output";
+  app
+    .add_option("-o,--output", settings.output,
+                "The estimates: PLY (binary), VTP or CSV, as the name ends.\nWithout, there is only a summary")
+    ->type_name("FILE")
+    ->group(group);
+  app
+    .add_option("--mesh-output", settings.mesh_output,
+                "The mesh alone as it was used, repaired and smoothed:\nOFF, OBJ, PLY or STL")
+    ->type_name("FILE")
+    ->group(group);
+  app
+    .add_option("--colour-by,--color-by", settings.colour_by,
+                "What PLY, VTP and picture show in colour: label, or one of the\nfields k_min, k_max, H, K, "
+                "shape_index, curvedness, coverage,\nresidual [H]")
+    ->check(CLI::IsMember([] {
+              auto names = field_names();
+              names.push_back("label");
+              return names;
+            }())
+              .description(""))
+    ->type_name("FIELD")
+    ->group(group);
+  auto* labels = app.add_flag("--labels", settings.labels,
+                              "Tells vertices that are convex (0), concave (1), flat (2), saddles (3)\nor without an "
+                              "estimate (4)");
+  labels->group(group);
+  app
+    .add_option("--flatness-threshold", settings.flatness_threshold,
+                "The largest curvature that is flat [three quarters of the\nmesh's typical one]")
+    ->needs(labels)
+    ->group(group);
+  auto* isolines = app
+                     .add_option_function<std::vector<std::string>>(
+                       "--isolines",
+                       [&settings](const std::vector<std::string>& texts) {
+                         for(const std::string& text : texts)
+                           settings.isolines.push_back(isoline_request(text));
+                       },
+                       "Lines along which a field has a value, by commas: H=0,K=0")
+                     ->delimiter(',')
+                     ->allow_extra_args(false)
+                     ->type_name("FIELD=VALUE");
+  isolines->group(group);
+  app.add_option("--isolines-output", settings.isolines_output, "Where they go: VTP or OBJ [isolines.vtp]")
+    ->needs(isolines)
+    ->type_name("FILE")
+    ->group(group);
+}
+
+void add_picture_options(CLI::App& app, Picture_settings& picture)
+{
+  const std::string group = "Picture";
+  auto* file = app.add_option("--picture", picture.file,
+                              "A rendered PNG with a legend. Takes Python's VTK (Debian, Ubuntu:\npython3-vtk9; "
+                              "xvfb where there is no display)");
+  file->type_name("FILE")->group(group);
+  for(auto* option : {add_list(app, "--picture-view", picture.view, "From the mesh to the viewer [0.3,0.3,1]"),
+                      add_list(app, "--picture-up", picture.up, "The direction that is up in the picture [0,1,0]")})
+    option->expected(3)->needs(file)->type_name("X,Y,Z")->group(group);
+}
+
+} // namespace
+
+void describe_command_line(CLI::App& app, Settings& settings)
+{
+  constexpr int option_column = 34; // wide enough for most options and their types
+  app.description(description);
+  app.footer(examples);
+  app.formatter(std::make_shared<Short_formatter>());
+  app.get_formatter()->column_width(option_column);
+  app.name("spider");
+  app.failure_message([](const CLI::App*, const CLI::Error& error) {
+    return "spider: " + std::string(error.what()) + " (--help tells what there is)\n";
+  });
+  app.set_help_flag(); // for the time being, or it would be told first
+
+  app.add_option("mesh", settings.mesh, "An OFF, OBJ, PLY or STL file. Polygons are triangulated")->required();
+  add_radius_options(app, settings.radius);
+  add_output_options(app, settings);
+  add_picture_options(app, settings.picture);
+  add_feature_options(app, settings);
+  add_estimation_options(app, settings.estimation);
+  add_smoothing_options(app, settings.smoothing);
+
+  const std::string group = "Telling";
+  app.add_flag("--compare-with-jets", settings.compares_with_jets, "CGAL's jet fitting, at the same radius, beside it")
+    ->group(group);
+  app.add_flag("-q,--quiet", settings.is_quiet, "No progress, and no summary but JSON")->group(group);
+  app.add_flag("--json", settings.is_json, "The summary as JSON on the standard output")->group(group);
+  app.set_version_flag("--version", "spider " SPIDER_VERSION, "The program's name and version")->group(group);
+  app.set_help_flag("-h,--help", "This text")->group(group);
+}
+
+} // namespace tool
+} // namespace Spider
+} // namespace CGAL

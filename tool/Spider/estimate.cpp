@@ -1,0 +1,141 @@
+// Copyright (c) 2026 The Spider developers.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "estimate.h"
+
+#include "for_each_vertex.h"
+#include "with_parameters.h"
+
+#include <CGAL/Polygon_mesh_processing/detect_features.h>
+#include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Real_timer.h>
+#include <CGAL/Spider/Curvature_estimator.h>
+#include <CGAL/Spider/suggest_geodesic_radius.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+
+namespace CGAL {
+namespace Spider {
+namespace tool {
+
+namespace {
+
+std::vector<double> read_growth_costs(const std::string& file, std::size_t number_of_faces)
+{
+  std::ifstream in(file);
+  std::vector<double> costs;
+  for(std::string word; in >> word;) // a stream's own numbers don't include infinity
+  {
+    char* end;
+    costs.push_back(std::strtod(word.c_str(), &end));
+    if(*end != '\0')
+      throw std::invalid_argument(file + ": " + word + " is no number");
+  }
+  if(costs.size() != number_of_faces)
+    throw std::invalid_argument(file + ": has " + std::to_string(costs.size()) + " numbers for a mesh of " +
+                                std::to_string(number_of_faces) + " triangles: give one for each");
+  return costs;
+}
+
+std::string short_number(double value)
+{
+  std::ostringstream text;
+  text << value;
+  return text.str();
+}
+
+Radius constant_radius(const std::string& name, const Mesh& mesh, double length)
+{
+  return {name, std::vector<double>(mesh.num_vertices(), length)};
+}
+
+Radius suggested_radius(const Mesh& mesh, const Settings& settings, const Growth_limits& limits)
+{
+  const std::vector<double> unused(mesh.num_vertices(), 1);
+  if(!settings.radius.is_suggested_by_vertex)
+    return constant_radius("suggested", mesh, with_parameters(unused, settings.estimation, limits, [&](const auto& np) {
+                             return suggest_geodesic_radius(mesh, np);
+                           }));
+  Radius radius{"suggested", std::vector<double>(mesh.num_vertices())};
+  with_parameters(unused, settings.estimation, limits, [&](const auto& np) {
+    suggest_geodesic_radii<CGAL::Parallel_if_available_tag>(mesh, Array_map<Vertex, double>{radius.of_vertex.data()},
+                                                            np);
+  });
+  return radius;
+}
+
+Run<Estimate> estimate(const Mesh& mesh, const Radius& radius, const Settings& settings, const Growth_limits& limits)
+{
+  return with_parameters(radius.of_vertex, settings.estimation, limits, [&](const auto& np) {
+    Run<Estimate> run{std::vector<Estimate>(mesh.num_vertices()), 0};
+    CGAL::Real_timer preparation;
+    preparation.start();
+    const Curvature_estimator estimator(mesh, np);
+    const std::vector<Vertex> vertices = estimator.vertices_in_spatial_order();
+    run.seconds = preparation.time();
+    run.seconds += for_each_vertex(vertices, settings.is_quiet ? "" : "Spider, radius " + radius.name, [&] {
+      return [&, worker = estimator.worker()](Vertex v) mutable { run.answers[v] = worker(v); };
+    });
+    return run;
+  });
+}
+
+} // namespace
+
+std::size_t Growth_limits::number_of_features() const { return std::count(is_feature.begin(), is_feature.end(), true); }
+
+Growth_limits growth_limits(const Mesh& mesh, const Settings& settings)
+{
+  Growth_limits limits;
+  limits.is_feature.assign(mesh.num_edges(), false);
+  if(settings.feature_angle)
+    CGAL::Polygon_mesh_processing::detect_sharp_edges(mesh, *settings.feature_angle,
+                                                      Array_map<Mesh::Edge_index, char>{limits.is_feature.data()});
+  if(!settings.growth_costs.empty())
+    limits.costs = read_growth_costs(settings.growth_costs, mesh.number_of_faces());
+  return limits;
+}
+
+double mean_edge_length(const Mesh& mesh)
+{
+  double sum = 0;
+  for(auto e : mesh.edges())
+    sum += CGAL::Polygon_mesh_processing::edge_length(mesh.halfedge(e), mesh);
+  return sum / mesh.number_of_edges();
+}
+
+std::vector<Radius> choose_radii(const Mesh& mesh, const Settings& settings, const Growth_limits& limits)
+{
+  constexpr double default_radius_in_edges = 4; // Spider's own
+  const double edge_length = mean_edge_length(mesh);
+  const Radius_settings& given = settings.radius;
+
+  std::vector<Radius> radii;
+  if(given.is_suggested || given.is_suggested_by_vertex)
+    radii.push_back(suggested_radius(mesh, settings, limits));
+  for(double length : given.lengths)
+    radii.push_back(constant_radius(short_number(length), mesh, length));
+  for(double in_edges : given.in_edges)
+    radii.push_back(constant_radius(short_number(in_edges) + "a", mesh, in_edges * edge_length));
+  if(radii.empty())
+    radii.push_back(
+      constant_radius(short_number(default_radius_in_edges) + "a", mesh, default_radius_in_edges * edge_length));
+  return radii;
+}
+
+std::vector<Run<Estimate>> estimate(const Mesh& mesh, const std::vector<Radius>& radii, const Settings& settings,
+                                    const Growth_limits& limits)
+{
+  std::vector<Run<Estimate>> runs;
+  for(const Radius& radius : radii) // each grows spiders of its own
+    runs.push_back(estimate(mesh, radius, settings, limits));
+  return runs;
+}
+
+} // namespace tool
+} // namespace Spider
+} // namespace CGAL

@@ -1,0 +1,56 @@
+// Copyright (c) 2026 The Spider developers.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPIDER_TOOL_WITH_PARAMETERS_H
+#define CGAL_SPIDER_TOOL_WITH_PARAMETERS_H
+
+#include "estimate.h"
+
+#include <CGAL/Spider/parameters.h>
+
+namespace CGAL {
+namespace Spider {
+namespace tool {
+
+// returns what `action` does of the named parameters that the settings stand for. What a chain holds is fixed when the
+// program is compiled, so the documented defaults are spelled out, apart from the number of directions, which depends
+// on the radius.
+template <typename Action>
+auto with_parameters(const std::vector<double>& radius_of_vertex, const Estimation_settings& settings,
+                     const Growth_limits& limits, const Action& action)
+{
+  namespace params = Spider::parameters;
+
+  const bool published = settings.as_published;
+  const Estimator estimator = settings.estimator.value_or(published ? section_fit : surface_fit);
+  const bool by_sections = estimator == section_fit;
+  const auto chain =
+    params::geodesic_radius(Array_map<Vertex, const double>{radius_of_vertex.data()})
+      .estimator(estimator)
+      .limb_measure(settings.limb_measure.value_or(published || by_sections ? arc_length : tangential_distance))
+      .polynomial_degree(settings.polynomial_degree.value_or(2))
+      .resampling_step(settings.resampling_step.value_or(0.1))
+      .convergence_angle(settings.convergence_angle.value_or(by_sections ? 1e-3 : 0.3))
+      .first_normal(settings.first_normal.value_or(published ? sphere_section : neighbourhood))
+      .minimum_crossing_angle(settings.minimum_crossing_angle.value_or(30));
+
+  const auto with_cgals = [&](const auto& own) {
+    return action(own.number_of_iterations(settings.number_of_iterations.value_or(10))
+                    .edge_is_constrained_map(Array_map<Mesh::Edge_index, const char>{limits.is_feature.data()}));
+  };
+  const auto with_costs = [&](const auto& own) {
+    return limits.costs.empty()
+             ? with_cgals(own)
+             : with_cgals(own.growth_cost_map(Array_map<Mesh::Face_index, const double>{limits.costs.data()}));
+  };
+  const auto published_directions = published ? std::optional<long long>(64) : std::nullopt;
+  const auto directions = settings.number_of_directions ? settings.number_of_directions : published_directions;
+  return directions ? with_costs(chain.number_of_directions(*directions)) : with_costs(chain);
+}
+
+} // namespace tool
+} // namespace Spider
+} // namespace CGAL
+
+#endif // CGAL_SPIDER_TOOL_WITH_PARAMETERS_H
