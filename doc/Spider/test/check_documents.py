@@ -12,7 +12,8 @@
   test/Spider/consumer. Scripts and options of CMake in blocks of sh exist.
 - Whatever looks like a call in backquotes, `f()`, is a name in the public headers, or one of CGAL's in KNOWN.
 - README.md and the manual state the headlines of doc/Spider/figures.json, and the tables say what it says.
-- Every named parameter of parameters.h is documented, and every example is listed.
+- Every named parameter of parameters.h is documented, every example is listed, and the program spider has the options that are
+  shown.
 """
 
 import json
@@ -154,6 +155,16 @@ def check_examples(root):
         complain("examples.txt", f"{name} is in one of examples/Spider and this list only")
 
 
+def check_program(root):
+    """Options of the program spider in blocks of sh are options that it has."""
+    options = (root / "tool/Spider/command_line.cpp").read_text()
+    for path in (root / "README.md", root / "doc/Spider/Spider.txt"):
+        for line in re.findall(r"^spider .*$", path.read_text(), flags=re.M):
+            for option in re.findall(r"\s(--[\w-]+)", line.split("#")[0]):
+                if not re.search(rf'[",]{option}[",]', options):
+                    complain(path.name, f"spider has no option {option}")
+
+
 def main():
     root = pathlib.Path(sys.argv[1]).resolve()
     documents = [root / "README.md", root / "CHANGES.md", *sorted((root / "doc/Spider").glob("*.md"))]
@@ -169,6 +180,7 @@ def main():
     check_headlines(root, data)
     check_parameters(root)
     check_examples(root)
+    check_program(root)
     for error in errors:
         print(error, file=sys.stderr)
     sys.exit(1 if errors else 0)
