@@ -221,18 +221,18 @@ def run_of(results):
 
 
 ACCURACY_NOTE = f"""Mean absolute errors of H over interior vertices, in units of the surface's root mean square curvature; the least of
-each column is bold. Averages over sphere, torus, ellipsoid, saddle and waves of about 10,000 vertices each, one seed; vertices moved by
-uniform noise of ± s a/2 along the normal, a the mean edge length. The radius is {RADIUS} a, but for the last two, which look at one ring."""
+  each column is bold. Averages over sphere, torus, ellipsoid, saddle and waves of about 10,000 vertices each, one seed; vertices
+  moved by uniform noise of ± s a/2 along the normal, a the mean edge length. The radius is {RADIUS} a, but for the last two, which look at one ring."""
 
 SPEED_NOTE = f"""Times per vertex on an irregular torus of 10,000 vertices, one core, the best of five, in units of that of jets of
-degree 2 at r = {RADIUS} a."""
+  degree 2 at r = {RADIUS} a."""
 
 
 def note(text, data, runs):
-    """A paragraph in HTML, which reads alike as Markdown and in the manual."""
-    lines = ", ".join(f"<code>{data['runs'][name]['command_line']}</code>" for name in runs)
+    """What a table's numbers are, and the commands that made them."""
+    commands = ", ".join(f"`{data['runs'][name]['command_line']}`" for name in runs)
     about = data["runs"][runs[0]]
-    return f"\n<p>{text} Run with CGAL {about['CGAL']} and g++ {about['compiler'].split()[0]}: {lines}.</p>\n"
+    return f"\n- {text}\n- Run with CGAL {about['CGAL']} and g++ {about['compiler'].split()[0]}: {commands}.\n"
 
 
 def main():
