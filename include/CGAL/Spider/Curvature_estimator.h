@@ -10,6 +10,7 @@
 #include <CGAL/Spider/internal/Mesh_inputs.h>
 #include <CGAL/Spider/internal/Mesh_snapshot.h>
 #include <CGAL/Spider/internal/Spider_engine.h>
+#include <CGAL/Spider/internal/continuous_reference.h>
 #include <CGAL/Spider/internal/neighbourhood_normals.h>
 #include <CGAL/Spider/internal/spatial_order.h>
 
@@ -80,9 +81,12 @@ public:
     template <typename Query>
     Estimate operator()(const Query& query)
     {
-      const internal::Site<Snapshot> site = estimator_.locate(query);
-      return internal::to_result<Result_traits>(
-        engine_(site, estimator_.radius_at(site), estimator_.first_normal(site)));
+      internal::Site<Snapshot> site = estimator_.locate(query);
+      const Scalar radius = estimator_.radius_at(site);
+      const Normal normal = estimator_.first_normal(site);
+      site.reference = internal::continuous_reference(estimator_.mesh_, site, normal,
+                                                      estimator_.options_.number_of_directions_at(radius));
+      return internal::to_result<Result_traits>(engine_(site, radius, normal));
     }
 
   private:

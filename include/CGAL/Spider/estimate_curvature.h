@@ -8,6 +8,9 @@
 #include <CGAL/Spider/Curvature_estimate_3.h>
 #include <CGAL/Spider/estimate_normal.h>
 #include <CGAL/Spider/internal/Spider_engine.h>
+#include <CGAL/Spider/internal/continuous_reference.h>
+
+#include <cmath>
 
 namespace CGAL {
 namespace Spider {
@@ -20,13 +23,19 @@ Curvature_estimate_3<GT> to_result(const Estimate<Scalar>& estimate)
   using FT = typename GT::FT;
   using Vector_3 = typename GT::Vector_3;
   Curvature_estimate_3<GT> result;
-  result.min_curvature = static_cast<FT>(estimate.min_curvature);
-  result.max_curvature = static_cast<FT>(estimate.max_curvature);
-  result.min_direction = from_vec3<Vector_3>(estimate.min_direction);
-  result.max_direction = from_vec3<Vector_3>(estimate.max_direction);
   result.normal = from_vec3<Vector_3>(estimate.normal);
   result.status = estimate.status;
   result.coverage = static_cast<FT>(estimate.coverage);
+  const FT min_curvature = static_cast<FT>(estimate.min_curvature);
+  const FT max_curvature = static_cast<FT>(estimate.max_curvature);
+  if(result.is_valid() && !(std::isfinite(min_curvature) && std::isfinite(max_curvature)))
+    result.status = insufficient; // the mesh is so small that its curvature isn't a number of this type
+  if(!result.is_valid())
+    return result;
+  result.min_curvature = min_curvature;
+  result.max_curvature = max_curvature;
+  result.min_direction = from_vec3<Vector_3>(estimate.min_direction);
+  result.max_direction = from_vec3<Vector_3>(estimate.max_direction);
   result.residual = static_cast<FT>(estimate.residual);
   return result;
 }
@@ -161,10 +170,12 @@ auto estimate_curvature(const Query& query,
 {
   using Inputs = internal::Mesh_inputs<TriangleMesh, NamedParameters>;
   const Inputs inputs(tmesh, np, surface_fit);
-  const internal::Query_point<Inputs> at(inputs, query);
+  internal::Query_point<Inputs> at(inputs, query);
+  const auto normal = internal::first_normal_of_query(inputs, at);
+  at.site.reference = internal::continuous_reference(inputs.view, at.site, normal,
+                                                     inputs.options.number_of_directions_at(at.radius));
   internal::Estimator_engine<typename Inputs::View> engine(inputs.view, inputs.options);
-  return internal::to_result<typename Inputs::Result_traits>(
-    engine(at.site, at.radius, internal::first_normal_of_query(inputs, at)));
+  return internal::to_result<typename Inputs::Result_traits>(engine(at.site, at.radius, normal));
 }
 
 } // namespace Spider

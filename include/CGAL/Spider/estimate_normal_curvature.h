@@ -133,10 +133,11 @@ auto estimate_normal_curvature(const Query& query,
   const internal::Local_coordinates<Scalar> local(at.site.point, {n, d}, at.radius);
   internal::sample_direction(inputs.view, at.site, local, Scalar(0), inputs.options, samples, extent);
   const internal::Section<Scalar> section = internal::fit_section(samples, inputs.options.polynomial_degree);
-  if(!section.determined)
+  const Scalar curvature = section.curvature / at.radius; // which overflows on meshes as small as numbers get
+  if(!section.determined || !std::isfinite(curvature))
     return result;
   result.status = extent.is_complete ? ok : partial;
-  result.curvature = static_cast<FT>(section.curvature / at.radius);
+  result.curvature = static_cast<FT>(curvature);
   result.tangent_slope = static_cast<FT>(section.slope);
   result.residual =
     static_cast<FT>(std::sqrt(section.squared_residuals / Scalar(section.number_of_samples)) * at.radius);

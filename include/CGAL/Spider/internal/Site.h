@@ -67,6 +67,15 @@ Limb_end visit_corners(const View& view, typename View::Halfedge first, Visitor&
   return end_of_star_at(view, last);
 }
 
+/// returns the direction from a corner's vertex to the middle of the opposite edge, twice as long.
+template <typename View>
+Vec3<typename View::Scalar> reference_at_corner(const View& view, typename View::Halfedge corner)
+{
+  const Vec3<typename View::Scalar> p = view.point(view.source(corner));
+  const typename View::Halfedge edge = view.other_edges(corner).first;
+  return (view.point(view.source(edge)) - p) + (view.point(view.target(edge)) - p);
+}
+
 /// returns the site at a vertex, given a corner of the star, or `null_halfedge()` for an isolated vertex.
 template <typename View>
 Site<View> site_at_corner(const View& view, typename View::Vertex v, typename View::Halfedge first)
@@ -78,8 +87,7 @@ Site<View> site_at_corner(const View& view, typename View::Vertex v, typename Vi
   if(first == View::null_halfedge())
     return site;
   const auto opposite_edge = [&](typename View::Halfedge corner) { return view.other_edges(corner).first; };
-  const typename View::Halfedge edge = opposite_edge(first);
-  site.reference = (view.point(view.source(edge)) - site.point) + (view.point(view.target(edge)) - site.point);
+  site.reference = reference_at_corner(view, first);
   site.end_at_once =
     visit_corners(view, first, [&](typename View::Halfedge corner) { site.rim.push_back(opposite_edge(corner)); });
   return site;

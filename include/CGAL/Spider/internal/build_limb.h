@@ -10,6 +10,7 @@
 #include <CGAL/Spider/internal/Spider_frame.h>
 #include <CGAL/Spider/internal/walk_limb.h>
 
+#include <algorithm>
 #include <limits>
 #include <utility>
 
@@ -96,9 +97,9 @@ auto build_limb(const Inputs& inputs,
     kept_length = length;
   };
   const Walk_result<View> walk = walk_limb(inputs.view, query.site, cut, inputs.options.limb_rule, extend);
-  limb.length = walk.end == radius_reached && inputs.options.limb_rule.measure == arc_length
-                  ? static_cast<typename Limb::FT>(query.radius) // what the walk cut it to, but for rounding
-                  : static_cast<typename Limb::FT>(length * query.radius);
+  if(inputs.options.limb_rule.measure == arc_length) // the walk cut it to the radius, but for rounding
+    length = walk.end == radius_reached ? Scalar(1) : std::min(length, Scalar(1));
+  limb.length = static_cast<typename Limb::FT>(length * query.radius);
   limb.end = walk.end;
   if(walk.edge != View::null_halfedge())
     limb.edge = inputs.view.edge(walk.edge);

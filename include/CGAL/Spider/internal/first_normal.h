@@ -58,8 +58,9 @@ sphere_section_normal(const View& view, const Site<View>& site, typename View::S
   std::vector<typename Kernel::Segment_3> segments;
   for(const auto& polyline : Sphere_section<View>(view, site, radius).polylines())
     for(std::size_t i = 1; i < polyline.size(); ++i)
-      segments.emplace_back(from_vec3<typename Kernel::Point_3>(polyline[i - 1]),
-                            from_vec3<typename Kernel::Point_3>(polyline[i]));
+      if((polyline[i] - polyline[i - 1]).squaredNorm() > 0) // else it is a point, which has no share in the plane
+        segments.emplace_back(from_vec3<typename Kernel::Point_3>(polyline[i - 1]),
+                              from_vec3<typename Kernel::Point_3>(polyline[i]));
   if(segments.empty())
     return nan_vec3<Scalar>();
   typename Kernel::Plane_3 plane;
