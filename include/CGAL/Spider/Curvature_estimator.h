@@ -29,7 +29,7 @@ Construction reads the mesh and the parameters once, in time and memory linear i
 copy; after that the mesh isn't looked at any more, and changes to it don't show. Queries may come from several threads
 at once.
 
-\tparam TriangleMesh a model of `FaceGraph`
+\tparam TriangleMesh a model of `VertexListGraph`, `EdgeListGraph`, `HalfedgeListGraph` and `FaceListGraph`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 */
 template <typename TriangleMesh, typename NamedParameters = CGAL::parameters::Default_named_parameters>

@@ -90,7 +90,7 @@ surface that is flat but for noise no other than a given threshold tells noise f
 
 It takes time in O(n log n), n the number of vertices, and linear time with a threshold given.
 
-\tparam TriangleMesh a model of `FaceGraph`
+\tparam TriangleMesh a model of `VertexListGraph`, `EdgeListGraph`, `HalfedgeListGraph` and `FaceListGraph`
 \tparam CurvatureMap a model of `ReadablePropertyMap` from vertices to a model of `SpiderPrincipalCurvatures`, such as
         `Curvature_estimate_3`
 \tparam LabelMap a model of `WritablePropertyMap` from vertices to `Vertex_label`

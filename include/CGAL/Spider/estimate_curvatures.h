@@ -21,7 +21,7 @@ limbs cross.
 
 \tparam ConcurrencyTag `CGAL::Sequential_tag` (the default), `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`;
         the answers are the same to the last bit
-\tparam TriangleMesh a model of `FaceGraph`
+\tparam TriangleMesh a model of `VertexListGraph`, `EdgeListGraph`, `HalfedgeListGraph` and `FaceListGraph`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \tparam QueryRange a range of vertices, or of `CGAL::Polygon_mesh_processing::Face_location`

@@ -23,7 +23,7 @@ radius, and memory linear in the size of the mesh. A vertex without an estimate 
 
 \tparam ConcurrencyTag `CGAL::Sequential_tag` (the default), `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`;
         the answers are the same to the last bit
-\tparam TriangleMesh a model of `FaceGraph`
+\tparam TriangleMesh a model of `VertexListGraph`, `EdgeListGraph`, `HalfedgeListGraph` and `FaceListGraph`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \tparam CurvatureMap a model of `WritablePropertyMap` from vertices to a model of `SpiderCurvatureResult`, such as

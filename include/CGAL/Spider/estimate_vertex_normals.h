@@ -22,7 +22,7 @@ With `neighbourhood` and `incident_faces` it takes time and memory linear in the
 
 \tparam ConcurrencyTag `CGAL::Sequential_tag` (the default), `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`;
         the answers are the same to the last bit
-\tparam TriangleMesh a model of `FaceGraph`
+\tparam TriangleMesh a model of `VertexListGraph`, `EdgeListGraph`, `HalfedgeListGraph` and `FaceListGraph`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \tparam VertexNormalMap a model of `WritablePropertyMap` from vertices to vectors of any kernel

@@ -110,7 +110,7 @@ from the side to which the faces point. What that means where the value is hit e
 Lines end at borders, and at faces with a corner where the scalar is infinite or not a number. All others are closed.
 It takes time linear in the size of the mesh.
 
-\tparam TriangleMesh a model of `FaceGraph`
+\tparam TriangleMesh a model of `VertexListGraph`, `EdgeListGraph`, `HalfedgeListGraph` and `FaceListGraph`
 \tparam ScalarMap a model of `ReadablePropertyMap` from vertices to numbers of any type
 \tparam Value a type of numbers
 \tparam OutputIterator an output iterator that takes `Isoline_3`

@@ -33,7 +33,7 @@ answers of small radii differ by, and blurring from what those of large radii di
 algebra, and how close that comes. The answer depends on the mesh alone, is the same whenever it is asked for, and scales with the mesh.
 Beside a pass over the mesh, the time doesn't depend on the mesh's size.
 
-\tparam TriangleMesh a model of `FaceGraph`
+\tparam TriangleMesh a model of `VertexListGraph`, `EdgeListGraph`, `HalfedgeListGraph` and `FaceListGraph`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param tmesh a triangle mesh; it is only read
@@ -75,7 +75,7 @@ interpolated; so the radius follows the density of vertices.
 
 \tparam ConcurrencyTag `CGAL::Sequential_tag` (the default), `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`;
         the answers are the same to the last bit
-\tparam TriangleMesh a model of `FaceGraph`
+\tparam TriangleMesh a model of `VertexListGraph`, `EdgeListGraph`, `HalfedgeListGraph` and `FaceListGraph`
 \tparam VertexRadiusMap a model of `WritablePropertyMap` from vertices to a floating-point type
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
