@@ -115,7 +115,14 @@ TEST(Tool_program, writes_the_curvature_of_a_sphere_as_csv)
     // the measured worst is 1.2 %: the bias of a quadric at r/R = 0.21, and the facets'
     EXPECT_NEAR(columns["H"][i], 1 / sphere_radius, 0.02 / sphere_radius);
     EXPECT_NEAR(columns["K"][i], columns["k_min"][i] * columns["k_max"][i], 1e-14);
-    EXPECT_NEAR(columns["normal_x"][i], columns["x"][i] / sphere_radius, 0.01);
+    EXPECT_LE(columns["k_min"][i], columns["k_max"][i]);
+    double along_normal = 0;
+    for(const char* axis : {"x", "y", "z"})
+    {
+      EXPECT_NEAR(columns[std::string("normal_") + axis][i], columns[axis][i] / sphere_radius, 0.01);
+      along_normal += columns[std::string("normal_") + axis][i] * columns[std::string("max_direction_") + axis][i];
+    }
+    EXPECT_NEAR(along_normal, 0, 1e-12);
     EXPECT_EQ(columns["status"][i], 0);
     EXPECT_EQ(columns["coverage"][i], 1);
   }

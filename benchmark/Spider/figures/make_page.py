@@ -32,8 +32,8 @@ ABOUT = {
     3: "Three tessellations of the cube, irregular ones: diagonals turned at random, vertices moved by up to a quarter of a cell. "
        "Corresponding vertices are those of the coarsest cube. Colours and strokes are the normals that the iteration ends at, as "
        "published; the table has regular tessellations and the default estimator too. That one doesn't "
-       "reproduce the claim, by a factor of 30: it measures limbs along the tangent plane, and those that climb the cube's walls are "
-       "cut short at places that depend on the tessellation. Such a cube is for feature edges (figure 7), or for `section_fit`.",
+       "reproduce the claim: it measures limbs along the tangent plane, and they climb the cube's walls. Such a cube is for "
+       "feature edges (figure 7), or for `section_fit`.",
     4: "A spider on the fandisk; feature edges (orange) are those at which faces turn by more than 40 degrees.",
     5: "The paper's saddle z = (x\u00b2 \u2212 y\u00b2)/2 of 2,500 vertices with its noise, five seeds, the interior. H passes through "
        "zero on a saddle, so errors are in units of its mean magnitude. The paper's radii are from a to 3 a; ours go on to 6 a.",
