@@ -279,6 +279,7 @@ TEST(Tool_program, says_one_line_about_what_is_wrong)
     {sphere + " --no-such-option", 2, "no-such-option"},
     {sphere + " --geodesic-radius -1", 2, "-1 is no positive number"},
     {sphere + " --geodesic-radius 1 --suggest-radius", 2, "excludes"},
+    {sphere + " --geodesic-radius 1,0.5,1", 2, "1 is given twice"},
     {sphere + " --polynomial-degree 7", 2, "polynomial_degree is 7: give 2, 3 or 4"},
     {sphere + " --number-of-directions -3", 2, "number_of_directions is -3"},
     {sphere + " --estimator jets", 2, "surface_fit"},

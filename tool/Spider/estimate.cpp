@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
+#include <set>
 #include <sstream>
 
 namespace CGAL {
@@ -51,6 +52,15 @@ std::string short_number(double value)
 Radius constant_radius(const std::string& name, const Mesh& mesh, double length)
 {
   return {name, std::vector<double>(mesh.num_vertices(), length)};
+}
+
+// Files tell columns apart by them.
+void check_names(const std::vector<Radius>& radii)
+{
+  std::set<std::string> names;
+  for(const Radius& radius : radii)
+    if(!names.insert(radius.name).second)
+      throw std::invalid_argument("the radius " + radius.name + " is given twice: give each once");
 }
 
 Radius suggested_radius(const Mesh& mesh, const Settings& settings, const Growth_limits& limits)
@@ -124,6 +134,7 @@ std::vector<Radius> choose_radii(const Mesh& mesh, const Settings& settings, con
   if(radii.empty())
     radii.push_back(
       constant_radius(short_number(default_radius_in_edges) + "a", mesh, default_radius_in_edges * edge_length));
+  check_names(radii);
   return radii;
 }
 
