@@ -62,6 +62,8 @@ std::vector<Vec3<Scalar>> moved_as_far_as_sound(const Mesh_snapshot<Scalar>& mes
   const auto move = [&](std::size_t v) {
     const Scalar share = halvings[v] > most_halvings ? 0 : std::ldexp(Scalar(1), -int(halvings[v]));
     after[v] = share > 0 ? Vec3<Scalar>(before[v] + share * ways[v]) : before[v];
+    if(!after[v].allFinite()) // as where a step to the volume is divided by an area of nearly nothing
+      after[v] = before[v];
   };
   for(std::size_t v = 0; v < before.size(); ++v)
     move(v);
