@@ -29,7 +29,8 @@ limbs cross.
 \param queries the query points
 \param tmesh a triangle mesh; it is only read
 \param out takes one estimate per query, in their order
-\param np an optional sequence of named parameters, those of `estimate_curvature()`
+\param np an optional sequence of named parameters, those of `estimate_curvature()`, and
+       `visitor`, a model of `SpiderVisitor` that is told how far the work is, and may cancel it by an exception
 
 \return the output iterator behind the last estimate
 \throw std::invalid_argument if a parameter is out of its range, a face isn't a triangle, or there are more than 268 million
@@ -47,7 +48,8 @@ OutputIterator estimate_curvatures(const QueryRange& queries,
 {
   const Curvature_estimator<TriangleMesh, NamedParameters> estimator(tmesh, np);
   internal::for_each_query<ConcurrencyTag>(
-    queries, [&] { return estimator.worker(); }, [&](const auto&, const auto& estimate) { *out++ = estimate; });
+    queries, [&] { return estimator.worker(); }, [&](const auto&, const auto& estimate) { *out++ = estimate; },
+    internal::visitor_of(np));
   return out;
 }
 

@@ -30,7 +30,8 @@ radius, and memory linear in the size of the mesh. A vertex without an estimate 
         `Curvature_estimate_3` of any kernel with floating-point numbers
 \param tmesh a triangle mesh; it is only read
 \param curvature_map takes the estimates
-\param np an optional sequence of named parameters, those of `estimate_curvature()`
+\param np an optional sequence of named parameters, those of `estimate_curvature()`, and
+       `visitor`, a model of `SpiderVisitor` that is told how far the work is, and may cancel it by an exception
 
 \throw std::invalid_argument if a parameter is out of its range, a face isn't a triangle, or there are more than 268 million
 faces
@@ -47,7 +48,8 @@ void estimate_vertex_curvatures(const TriangleMesh& tmesh,
   const Curvature_estimator<TriangleMesh, NamedParameters> estimator(tmesh, np);
   internal::for_each_query<ConcurrencyTag>(
     estimator.vertices_in_spatial_order(), [&] { return estimator.worker(); },
-    [&](const auto& v, const auto& estimate) { put(curvature_map, v, Result(estimate)); });
+    [&](const auto& v, const auto& estimate) { put(curvature_map, v, Result(estimate)); },
+    internal::visitor_of(np));
 }
 
 } // namespace Spider

@@ -28,7 +28,8 @@ With `neighbourhood` and `incident_faces` it takes time and memory linear in the
 \tparam VertexNormalMap a model of `WritablePropertyMap` from vertices to vectors of any kernel
 \param tmesh a triangle mesh; it is only read
 \param vertex_normal_map takes the normals
-\param np an optional sequence of named parameters, those of `estimate_normal()`
+\param np an optional sequence of named parameters, those of `estimate_normal()`, and `visitor`, a
+       model of `SpiderVisitor` that is told how far the work is, and may cancel it by an exception
 
 \throw std::invalid_argument if a parameter is out of its range, a face isn't a triangle, or there are more than 268 million
 faces
@@ -45,7 +46,8 @@ void estimate_vertex_normals(const TriangleMesh& tmesh,
   const Curvature_estimator<TriangleMesh, NamedParameters> estimator(tmesh, np);
   internal::for_each_query<ConcurrencyTag>(
     vertices(tmesh), [&] { return [&](const auto& v) { return estimator.normal(v); }; },
-    [&](const auto& v, const auto& normal) { put(vertex_normal_map, v, Vector(normal.x(), normal.y(), normal.z())); });
+    [&](const auto& v, const auto& normal) { put(vertex_normal_map, v, Vector(normal.x(), normal.y(), normal.z())); },
+    internal::visitor_of(np));
 }
 
 } // namespace Spider
