@@ -15,8 +15,11 @@
 
 #include <gtest/gtest.h>
 
+#include <unistd.h>
+
 #include <cmath>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <regex>
@@ -32,7 +35,20 @@ using tool::Vertex;
 
 constexpr double sphere_radius = 2;
 
-std::string path(const std::string& name) { return testing::TempDir() + "spider-tool-" + name; }
+// A folder of this process: the tests run side by side, each in a process of its own.
+struct Folder
+{
+  std::filesystem::path path = testing::TempDir() + "spider-tool-" + std::to_string(::getpid());
+
+  Folder() { std::filesystem::create_directories(path); }
+  ~Folder() { std::filesystem::remove_all(path); }
+};
+
+std::string path(const std::string& name)
+{
+  static const Folder folder;
+  return (folder.path / name).string();
+}
 
 std::string content(const std::string& file)
 {

@@ -110,21 +110,20 @@ public:
     return Attributes::has_costs && across != null_halfedge() && !std::isfinite(growth_cost(across));
   }
 
-  /// Beyond an edge: where limbs of one patch may go on there, the apex of the face across and the halfedge that starts
-  /// at it; else NaN.
+  /// Beyond an edge: whether limbs of one patch may go on there, and then the halfedge that starts at the apex of the face
+  /// across; else the edge itself.
   struct Beyond
   {
-    Vec3<Scalar> apex;
     Halfedge third;
+    bool is_open;
   };
 
   Beyond beyond(Halfedge h) const
   {
     const Halfedge across = opposite(h);
     if(across == null_halfedge() || is_feature(h) || is_closed_to_growth(h))
-      return {nan_vec3<Scalar>(), h};
-    const Halfedge third = other_edges(across).second;
-    return {point(source(third)), third};
+      return {h, false};
+    return {other_edges(across).second, true};
   }
 
   /// returns the halfedge that leads to the start of another one in its triangle.

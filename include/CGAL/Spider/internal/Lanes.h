@@ -3,8 +3,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Values of several limbs that go in lockstep. With GCC and Clang, packs of doubles are vectors of the compiler's own
-// vector extension, as wide as the machine's registers; elsewhere, and for other types, a pack is a single value. The
-// operations are the same, so the answers are.
+// vector extension, as wide as the machine's registers, but of four at most: eight are no faster, since what costs is to
+// gather the mesh's data. Elsewhere, and for other types, a pack is a single value. The operations are the same, so the
+// answers are.
 
 #ifndef CGAL_SPIDER_INTERNAL_LANES_H
 #define CGAL_SPIDER_INTERNAL_LANES_H
@@ -25,7 +26,7 @@ namespace CGAL {
 namespace Spider {
 namespace internal {
 
-/// How many limbs go in lockstep: as many as the widest registers hold doubles. Narrower ones take several in turn.
+/// How many limbs go in lockstep: enough to have something to do for some while others wait for memory.
 constexpr int number_of_lanes = 8;
 
 template <typename T>
@@ -39,9 +40,7 @@ struct Pack
 template <>
 struct Pack<double>
 {
-#if defined(__AVX512F__)
-  static constexpr int bytes = 64;
-#elif defined(__AVX__)
+#if defined(__AVX__)
   static constexpr int bytes = 32;
 #else
   static constexpr int bytes = 16;
@@ -189,16 +188,18 @@ struct Lanes
   friend Lanes smaller(const Lanes& a, const Lanes& b) { return select(a < b, a, b); }
   friend Lanes absolute(const Lanes& a) { return select(a < Lanes(0), Lanes(0) - a, a); }
 
+  /// returns square roots as exact as `std::sqrt()`'s, which may set errno and so isn't for vectors: hence Eigen's.
   friend Lanes square_root(const Lanes& a)
   {
-    // std::sqrt() may set errno, which keeps it out of vectors. Eigen's is as exact for four values, but not for eight,
-    // and GCC 12 takes its own AVX-512 header's part in that for the use of an uninitialized value.
-    using Four = Eigen::Map<Eigen::Array<T, 4, 1>>;
-    static_assert(number_of_lanes % 4 == 0, "lanes come in fours");
-    std::array<T, number_of_lanes> values = a.values();
-    for(int i = 0; i < number_of_lanes; i += 4)
-      Four(values.data() + i) = Four(values.data() + i).sqrt();
-    return Lanes(values);
+    Lanes result;
+    CGAL_SPIDER_FOR_EACH_PACK(i)
+    {
+      Eigen::Array<T, number_of_lanes / number_of_packs, 1> roots;
+      std::memcpy(roots.data(), &a.packs[i], sizeof(Packed));
+      roots = roots.sqrt();
+      std::memcpy(&result.packs[i], roots.data(), sizeof(Packed));
+    }
+    return result;
   }
 
   T sum() const

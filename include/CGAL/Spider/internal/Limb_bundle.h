@@ -128,19 +128,27 @@ private:
   /// crosses edges into the next faces and finds the edges by which the planes leave those.
   void cross_edges()
   {
-    std::array<Halfedge, number_of_lanes> third;
-    std::array<Scalar, number_of_lanes> x, y, z;
+    // Loops that do one thing each: what has to wait for memory in one lane waits in all of them together.
+    std::array<Halfedge, number_of_lanes> third, second;
+    std::array<Scalar, number_of_lanes> is_open, x, y, z;
     for(int l = 0; l < number_of_lanes; ++l)
     {
       const auto beyond = view_.beyond(at_.edge[l]);
       third[l] = beyond.third;
-      x[l] = beyond.apex.x();
-      y[l] = beyond.apex.y();
-      z[l] = beyond.apex.z();
+      is_open[l] = beyond.is_open;
+    }
+    for(int l = 0; l < number_of_lanes; ++l)
+      second[l] = view_.preceding(third[l]);
+    for(int l = 0; l < number_of_lanes; ++l)
+    {
+      const auto& apex = view_.point(view_.source(third[l]));
+      x[l] = apex.x();
+      y[l] = apex.y();
+      z[l] = apex.z();
     }
     const Lane_points<Scalar> apex = local_({Values(x), Values(y), Values(z)});
     const Values apex_side = at_.side(apex.x, apex.y), zero(0);
-    const Mask goes_on = growing_ & !closed_ & is_near(apex), stops = growing_ & !goes_on;
+    const Mask goes_on = growing_ & !closed_ & (Values(is_open) > zero) & is_near(apex), stops = growing_ & !goes_on;
     const Mask is_of_source = (at_.source_side >= zero) == (apex_side >= zero);
     const Mask at_source = goes_on & is_of_source, at_target = goes_on & !is_of_source;
     at_.replace_source(at_source, apex, apex_side);
@@ -148,13 +156,12 @@ private:
     if(stops.any())
       note_stops(stops);
     const auto takes_third = at_source.values(), takes_second = at_target.values();
+    const auto here = at_.edge;
+    for(int l = 0; l < number_of_lanes; ++l)
+      at_.edge[l] = takes_third[l] ? third[l] : takes_second[l] ? second[l] : here[l];
     bool meets_again = false;
     for(int l = 0; l < number_of_lanes; ++l)
-    {
-      const Halfedge second = view_.preceding(third[l]), here = at_.edge[l];
-      at_.edge[l] = takes_third[l] ? third[l] : takes_second[l] ? second : here;
-      meets_again |= (at_.edge[l] != here) & ((at_.edge[l] == first_edge_[l]) | (at_.edge[l] == checkpoint_[l]));
-    }
+      meets_again |= (at_.edge[l] != here[l]) & ((at_.edge[l] == first_edge_[l]) | (at_.edge[l] == checkpoint_[l]));
     if(meets_again)
       note_circles();
     if(view_.has_growth_costs())

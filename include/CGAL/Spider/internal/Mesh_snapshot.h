@@ -139,18 +139,19 @@ public:
   Scalar growth_cost(Halfedge h) const { return has_growth_costs() ? growth_costs_[face(h)] : Scalar(1); }
   Halfedge first_corner(Vertex v) const { return first_corners_[v]; }
 
-  /// Beyond an edge: where limbs of one patch may go on there, the apex of the face across and the halfedge that starts
-  /// at it; else NaN.
+  /// Beyond an edge: whether limbs of one patch may go on there, and then the halfedge that starts at the apex of the face
+  /// across; else the edge itself.
   struct Beyond
   {
-    const Vec3<Scalar>& apex;
     Halfedge third;
+    bool is_open;
   };
 
   Beyond beyond(Halfedge h) const
   {
     const Halfedge third = thirds_across_[slot(h)];
-    return third >= first_flagged ? Beyond{nowhere_, h} : Beyond{points_[sources_[slot(third)]], third};
+    const bool is_open = third < first_flagged;
+    return {is_open ? third : h, is_open};
   }
 
   /// returns the halfedge that leads to the start of another one in its triangle.
@@ -181,7 +182,6 @@ private:
   std::vector<Scalar> growth_costs_; ///< per face; none if all are 1
   bool stars_are_patches_ = false;
   std::vector<Vec3<Scalar>> points_;
-  Vec3<Scalar> nowhere_ = nan_vec3<Scalar>();
 };
 
 } // namespace internal
