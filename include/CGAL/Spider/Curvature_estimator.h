@@ -15,6 +15,7 @@
 #include <CGAL/Spider/internal/spatial_order.h>
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -50,12 +51,17 @@ public:
   using Vector_3 = typename Result_traits::Vector_3;    ///< the type of normals
 
   /// reads a mesh.
+  /// \tparam ConcurrencyTag `CGAL::Sequential_tag` (the default), `CGAL::Parallel_tag` or
+  ///         `CGAL::Parallel_if_available_tag`; the answers are the same to the last bit
   /// \param tmesh a triangle mesh
   /// \param np an optional sequence of named parameters, those of `estimate_curvature()`
+  /// \param tag tells whether several threads may read
   /// \throw std::invalid_argument if a parameter is out of its range, or a face isn't a triangle
+  template <typename ConcurrencyTag = CGAL::Sequential_tag>
   explicit Curvature_estimator(const TriangleMesh& tmesh,
-                               const NamedParameters& np = CGAL::parameters::default_values())
-    : Curvature_estimator(tmesh, Inputs(tmesh, np, surface_fit))
+                               const NamedParameters& np = CGAL::parameters::default_values(),
+                               ConcurrencyTag tag = ConcurrencyTag())
+    : Curvature_estimator(tag, tmesh, Inputs(tmesh, np, surface_fit))
   {
   }
 
@@ -104,9 +110,11 @@ public:
   Worker worker() const { return Worker(*this); }
 
   /// returns the vertices in an order in which neighbours follow soon after one another: the fastest for many queries.
+  /// \tparam ConcurrencyTag as for the constructor
+  template <typename ConcurrencyTag = CGAL::Sequential_tag>
   std::vector<Vertex> vertices_in_spatial_order() const
   {
-    const std::vector<std::uint32_t> order = internal::spatial_order(mesh_);
+    const std::vector<std::uint32_t> order = internal::spatial_order<ConcurrencyTag>(mesh_);
     std::vector<Vertex> result;
     result.reserve(order.size());
     for(std::uint32_t v : order)
@@ -125,9 +133,10 @@ public:
   }
 
 private:
-  Curvature_estimator(const TriangleMesh& tmesh, const Inputs& inputs)
+  template <typename ConcurrencyTag>
+  Curvature_estimator(ConcurrencyTag tag, const TriangleMesh& tmesh, const Inputs& inputs)
     : options_(inputs.options), vertices_(vertices(tmesh)), faces_(faces(tmesh)),
-      mesh_(tmesh, inputs.view, vertices_, faces_)
+      mesh_(tmesh, inputs.view, vertices_, faces_, tag)
   {
     if constexpr(Inputs::has_radius_map())
       for(std::size_t v = 0; v < vertices_.size(); ++v)
@@ -139,7 +148,12 @@ private:
       for(std::size_t v = 0; v < vertices_.size(); ++v)
         normals_.push_back(inputs.given_normal_at(vertices_[v]));
     else if(options_.first_normal == neighbourhood)
-      normals_ = internal::neighbourhood_normals(mesh_, [&](std::uint32_t v) { return radius_at_vertex(v); });
+    {
+      internal::Normal_averaging<Scalar> averaging(tag, mesh_, [&](std::uint32_t v) { return radius_at_vertex(v); });
+      mesh_.move_to({}); // averaging can do without the points, and takes as much memory
+      normals_ = std::move(averaging).normals(tag, mesh_);
+      mesh_.move_to(Snapshot::points_of(inputs.view, vertices_));
+    }
   }
 
   template <typename Query>

@@ -46,7 +46,7 @@ OutputIterator estimate_curvatures(const QueryRange& queries,
                                    OutputIterator out,
                                    const NamedParameters& np = CGAL::parameters::default_values())
 {
-  const Curvature_estimator<TriangleMesh, NamedParameters> estimator(tmesh, np);
+  const Curvature_estimator<TriangleMesh, NamedParameters> estimator(tmesh, np, ConcurrencyTag());
   internal::for_each_query<ConcurrencyTag>(
     queries, [&] { return estimator.worker(); }, [&](const auto&, const auto& estimate) { *out++ = estimate; },
     internal::visitor_of(np));

@@ -45,9 +45,9 @@ void estimate_vertex_curvatures(const TriangleMesh& tmesh,
                                 const NamedParameters& np = CGAL::parameters::default_values())
 {
   using Result = typename boost::property_traits<CurvatureMap>::value_type;
-  const Curvature_estimator<TriangleMesh, NamedParameters> estimator(tmesh, np);
+  const Curvature_estimator<TriangleMesh, NamedParameters> estimator(tmesh, np, ConcurrencyTag());
   internal::for_each_query<ConcurrencyTag>(
-    estimator.vertices_in_spatial_order(), [&] { return estimator.worker(); },
+    estimator.template vertices_in_spatial_order<ConcurrencyTag>(), [&] { return estimator.worker(); },
     [&](const auto& v, const auto& estimate) { put(curvature_map, v, Result(estimate)); },
     internal::visitor_of(np));
 }

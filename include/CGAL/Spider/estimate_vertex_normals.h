@@ -43,7 +43,7 @@ void estimate_vertex_normals(const TriangleMesh& tmesh,
                              const NamedParameters& np = CGAL::parameters::default_values())
 {
   using Vector = typename boost::property_traits<VertexNormalMap>::value_type;
-  const Curvature_estimator<TriangleMesh, NamedParameters> estimator(tmesh, np);
+  const Curvature_estimator<TriangleMesh, NamedParameters> estimator(tmesh, np, ConcurrencyTag());
   internal::for_each_query<ConcurrencyTag>(
     vertices(tmesh), [&] { return [&](const auto& v) { return estimator.normal(v); }; },
     [&](const auto& v, const auto& normal) { put(vertex_normal_map, v, Vector(normal.x(), normal.y(), normal.z())); },

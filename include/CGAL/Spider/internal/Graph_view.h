@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <type_traits>
 #include <utility>
 
 namespace CGAL {
@@ -65,6 +66,14 @@ public:
   using Vertex = typename Traits::vertex_descriptor;
   using Halfedge = typename Traits::halfedge_descriptor;
   using Face = typename Traits::face_descriptor;
+
+  /// Whether all that is read is the mesh's own and plain, so that several threads may read at once: what the caller's
+  /// property maps or lazy numbers do when they are read isn't known.
+  static constexpr bool reads_mesh_only =
+    std::is_same<VertexPointMap,
+                 typename boost::property_map<TriangleMesh, CGAL::vertex_point_t>::const_type>::value &&
+    std::is_floating_point<typename CGAL::Kernel_traits<Point>::Kernel::FT>::value && !Attributes::has_features &&
+    !Attributes::has_costs;
 
   Graph_view(const TriangleMesh& tmesh, VertexPointMap vpm, const Attributes& attributes = Attributes())
     : tmesh_(tmesh), vpm_(vpm), attributes_(attributes)

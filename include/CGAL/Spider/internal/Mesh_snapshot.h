@@ -6,6 +6,7 @@
 #define CGAL_SPIDER_INTERNAL_MESH_SNAPSHOT_H
 
 #include <CGAL/Spider/internal/Graph_view.h>
+#include <CGAL/Spider/internal/for_each_chunk.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -19,36 +20,55 @@ namespace CGAL {
 namespace Spider {
 namespace internal {
 
-/// The ranks of a mesh's vertices or faces in the order of descriptors, whatever indices the mesh has or lacks.
+/// The ranks of a mesh's vertices or faces in the order of descriptors, whatever indices the mesh has or lacks. Where
+/// descriptors are indices without gaps, they are their own ranks, and nothing is stored.
 template <typename Descriptor>
 class Ranks
 {
 public:
   template <typename Range>
-  explicit Ranks(const Range& descriptors) : sorted_(descriptors.begin(), descriptors.end())
+  explicit Ranks(const Range& descriptors)
   {
+    if constexpr(are_indices)
+    {
+      const auto is_own_rank = [this](Descriptor d) { return static_cast<std::size_t>(d) == size_++; };
+      are_own_ranks_ = std::all_of(descriptors.begin(), descriptors.end(), is_own_rank);
+    }
+    if(are_own_ranks_)
+      return;
+    sorted_.assign(descriptors.begin(), descriptors.end());
+    size_ = sorted_.size();
     if(!std::is_sorted(sorted_.begin(), sorted_.end()))
       std::sort(sorted_.begin(), sorted_.end());
   }
 
-  std::size_t size() const { return sorted_.size(); }
-  Descriptor operator[](std::size_t rank) const { return sorted_[rank]; }
+  std::size_t size() const { return size_; }
+
+  Descriptor operator[](std::size_t rank) const
+  {
+    if constexpr(are_indices)
+      if(are_own_ranks_)
+        return Descriptor(rank);
+    return sorted_[rank];
+  }
 
   /// returns the rank, or `size()` for what isn't of the mesh.
   std::size_t operator()(Descriptor d) const
   {
-    if constexpr(std::is_convertible<Descriptor, std::size_t>::value)
-    { // an index, and its own rank in a mesh without garbage
-      const std::size_t i = static_cast<std::size_t>(d);
-      if(i < sorted_.size() && sorted_[i] == d)
-        return i;
-    }
+    if constexpr(are_indices)
+      if(are_own_ranks_)
+        return std::min(static_cast<std::size_t>(d), size_);
     const auto found = std::lower_bound(sorted_.begin(), sorted_.end(), d);
-    return found != sorted_.end() && *found == d ? static_cast<std::size_t>(found - sorted_.begin()) : sorted_.size();
+    return found != sorted_.end() && *found == d ? static_cast<std::size_t>(found - sorted_.begin()) : size_;
   }
 
 private:
-  std::vector<Descriptor> sorted_;
+  static constexpr bool are_indices =
+    std::is_convertible<Descriptor, std::size_t>::value && std::is_constructible<Descriptor, std::size_t>::value;
+
+  std::size_t size_ = 0;
+  bool are_own_ranks_ = false;
+  std::vector<Descriptor> sorted_; ///< none if they are their own ranks
 };
 
 /// What the walk needs of a mesh, copied once into arrays: for batches. Any number of threads may read it, and every
@@ -62,12 +82,16 @@ public:
   using Halfedge = std::uint32_t;
   using Face = std::uint32_t;
 
-  template <typename TriangleMesh, typename VertexPointMap, typename Attributes>
+  template <typename TriangleMesh, typename VertexPointMap, typename Attributes,
+            typename ConcurrencyTag = CGAL::Sequential_tag>
   Mesh_snapshot(const TriangleMesh& tmesh,
                 const Graph_view<TriangleMesh, VertexPointMap, Attributes>& view,
                 const Ranks<typename boost::graph_traits<TriangleMesh>::vertex_descriptor>& vertices,
-                const Ranks<typename boost::graph_traits<TriangleMesh>::face_descriptor>& faces)
+                const Ranks<typename boost::graph_traits<TriangleMesh>::face_descriptor>& faces,
+                ConcurrencyTag = ConcurrencyTag())
   {
+    using View = Graph_view<TriangleMesh, VertexPointMap, Attributes>;
+    using Reading_tag = std::conditional_t<View::reads_mesh_only, ConcurrencyTag, CGAL::Sequential_tag>;
     using Mesh_halfedge = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
     if(4 * faces.size() >= first_flagged)
       throw std::invalid_argument("Spider: tmesh has more than 268 million faces: split it");
@@ -82,40 +106,50 @@ public:
       return result;
     };
 
-    sources_.reserve(3 * faces.size());
-    thirds_across_.reserve(3 * faces.size());
-    for(std::size_t f = 0; f < faces.size(); ++f)
-    {
+    sources_.resize(3 * faces.size());
+    thirds_across_.resize(3 * faces.size());
+    growth_costs_.resize(view.has_growth_costs() ? faces.size() : 0);
+    for_each_number<Reading_tag>(faces.size(), [&](std::size_t f) {
       const Mesh_halfedge first = view.halfedge(faces[f]);
       const auto [second, third] = view.other_edges(first);
+      std::size_t slot = 3 * f;
       for(Mesh_halfedge h : {first, second, third})
       {
-        sources_.push_back(static_cast<Vertex>(vertices(view.source(h))));
+        sources_[slot] = static_cast<Vertex>(vertices(view.source(h)));
         const Mesh_halfedge across = view.opposite(h);
-        thirds_across_.push_back(
-          id(across == boost::graph_traits<TriangleMesh>::null_halfedge() ? across : view.other_edges(across).second));
-        if(thirds_across_.back() != null_halfedge())
-          thirds_across_.back() |=
+        thirds_across_[slot] =
+          id(across == boost::graph_traits<TriangleMesh>::null_halfedge() ? across : view.other_edges(across).second);
+        if(thirds_across_[slot] != null_halfedge())
+          thirds_across_[slot] |=
             (view.is_feature(h) ? feature_flag : 0u) | (view.is_closed_to_growth(h) ? closed_flag : 0u);
+        ++slot;
       }
       if(view.has_growth_costs())
-        growth_costs_.push_back(view.growth_cost(first));
-    }
+        growth_costs_[f] = view.growth_cost(first);
+    });
     stars_are_patches_ = view.star_extent() == patch_of_star;
-    points_.reserve(vertices.size());
-    first_corners_.reserve(vertices.size());
+    first_corners_.resize(vertices.size());
+    for_each_number<Reading_tag>(
+      vertices.size(), [&](std::size_t v) { first_corners_[v] = id(view.first_corner(vertices[v])); });
+    points_ = points_of(view, vertices);
+  }
+
+  /// returns a mesh's points as `move_to()` takes them.
+  template <typename View, typename Vertices>
+  static std::vector<Vec3<Scalar>> points_of(const View& view, const Vertices& vertices)
+  {
+    std::vector<Vec3<Scalar>> points;
+    points.reserve(vertices.size());
     for(std::size_t v = 0; v < vertices.size(); ++v)
-    {
-      points_.push_back(view.point(vertices[v]));
-      first_corners_.push_back(id(view.first_corner(vertices[v])));
-    }
+      points.push_back(view.point(vertices[v]));
+    return points;
   }
 
   static constexpr Halfedge null_halfedge() { return std::numeric_limits<Halfedge>::max(); }
   static constexpr Vertex null_vertex() { return std::numeric_limits<Vertex>::max(); }
   static constexpr Face null_face() { return std::numeric_limits<Face>::max(); }
 
-  std::size_t number_of_vertices() const { return points_.size(); }
+  std::size_t number_of_vertices() const { return first_corners_.size(); }
   std::size_t number_of_faces() const { return sources_.size() / 3; }
   Vertex source(Halfedge h) const { return sources_[slot(h)]; }
   Vertex target(Halfedge h) const { return sources_[slot(following(h))]; }

@@ -87,6 +87,8 @@ Site<View> site_at_corner(const View& view, typename View::Vertex v, typename Vi
   if(first == View::null_halfedge())
     return site;
   const auto opposite_edge = [&](typename View::Halfedge corner) { return view.other_edges(corner).first; };
+  constexpr int usual_most_faces = 8; // of a star: then the rim's buffer needn't grow
+  site.rim.reserve(usual_most_faces);
   site.reference = reference_at_corner(view, first);
   site.end_at_once =
     visit_corners(view, first, [&](typename View::Halfedge corner) { site.rim.push_back(opposite_edge(corner)); });

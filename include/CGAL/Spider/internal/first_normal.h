@@ -80,8 +80,8 @@ int number_of_averaging_passes(const View& view, const Site<View>& vertex, typen
   constexpr Scalar rounding_up = Scalar(0.37);
   Scalar sum = 0;
   for(typename View::Halfedge edge : vertex.rim)
-    sum += ((view.point(view.source(edge)) - vertex.point) / radius).stableNorm() +
-           ((view.point(view.target(edge)) - vertex.point) / radius).stableNorm();
+    sum += ((view.point(view.source(edge)) - vertex.point) / radius).norm() +
+           ((view.point(view.target(edge)) - vertex.point) / radius).norm();
   const Scalar rings = 2 * static_cast<Scalar>(vertex.rim.size()) / sum;
   return rings < most_passes ? std::max(1, static_cast<int>(rings + rounding_up)) : most_passes;
 }

@@ -5,14 +5,9 @@
 #ifndef CGAL_SPIDER_INTERNAL_FOR_EACH_QUERY_H
 #define CGAL_SPIDER_INTERNAL_FOR_EACH_QUERY_H
 
+#include <CGAL/Spider/internal/for_each_chunk.h>
 #include <CGAL/Spider/internal/progress.h>
 
-#include <CGAL/for_each.h>
-#include <CGAL/tags.h>
-
-#include <boost/range/counting_range.hpp>
-
-#include <algorithm>
 #include <cstddef>
 #include <iterator>
 #include <type_traits>
@@ -41,13 +36,10 @@ void for_each_query(const Range& queries, const MakeWorker& make_worker, const S
   std::vector<Result> results;
   const auto run_block = [&] {
     results.resize(block.size());
-    const std::size_t number_of_chunks = (block.size() + chunk_size - 1) / chunk_size;
-    CGAL::for_each<ConcurrencyTag>(boost::counting_range(std::size_t(0), number_of_chunks), [&](std::size_t chunk) {
+    for_each_chunk<ConcurrencyTag>(block.size(), chunk_size, [&](std::size_t begin, std::size_t end) {
       auto&& worker = make_worker();
-      const std::size_t end = std::min((chunk + 1) * chunk_size, block.size());
-      for(std::size_t i = chunk * chunk_size; i < end; ++i)
+      for(std::size_t i = begin; i < end; ++i)
         results[i] = worker(block[i]);
-      return true;
     });
     for(std::size_t i = 0; i < block.size(); ++i)
       store(block[i], results[i]);
