@@ -98,6 +98,21 @@ TEST(Curvature_estimator, answers_several_threads_at_once)
   });
 }
 
+TEST(Curvature_estimator, is_the_same_however_many_threads_read)
+{
+  const Mesh mesh = meshes::jittered(meshes::icosphere<Mesh>(5), 0.01, 5); // large enough to be read in parts
+  const auto np = params::geodesic_radius(0.1);
+  const Spider::Curvature_estimator by_one(mesh, np, CGAL::Sequential_tag());
+  const Spider::Curvature_estimator by_several(mesh, np, CGAL::Parallel_if_available_tag());
+  const std::vector<Vertex> order = by_one.vertices_in_spatial_order();
+  EXPECT_EQ(by_several.vertices_in_spatial_order<CGAL::Parallel_if_available_tag>(), order);
+  for(std::size_t i = 0; i < order.size(); i += 7)
+  {
+    EXPECT_EQ(by_one.normal(order[i]), by_several.normal(order[i]));
+    expect_identical(by_one(order[i]), by_several(order[i]));
+  }
+}
+
 TEST(Curvature_estimator, refuses_what_is_not_of_the_mesh)
 {
   const Mesh mesh = meshes::icosphere<Mesh>(1);
