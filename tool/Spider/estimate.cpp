@@ -84,8 +84,8 @@ Run<Estimate> estimate(const Mesh& mesh, const Radius& radius, const Settings& s
     Run<Estimate> run{std::vector<Estimate>(mesh.num_vertices()), 0};
     CGAL::Real_timer preparation;
     preparation.start();
-    const Curvature_estimator estimator(mesh, np);
-    const std::vector<Vertex> vertices = estimator.vertices_in_spatial_order();
+    const Curvature_estimator estimator(mesh, np, CGAL::Parallel_if_available_tag());
+    const std::vector<Vertex> vertices = estimator.template vertices_in_spatial_order<CGAL::Parallel_if_available_tag>();
     run.seconds = preparation.time();
     run.seconds += for_each_vertex(vertices, settings.is_quiet ? "" : "Spider, radius " + radius.name, [&] {
       return [&, worker = estimator.worker()](Vertex v) mutable { run.answers[v] = worker(v); };
