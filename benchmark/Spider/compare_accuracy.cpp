@@ -17,7 +17,7 @@ using namespace CGAL::Spider::benchmark;
 
 namespace {
 
-struct Options : Common_options
+struct Options : Estimator_options
 {
   std::vector<std::string> shapes = {"sphere", "torus", "ellipsoid", "saddle", "waves"};
   std::vector<std::string> tessellations = tessellation_names();

@@ -25,7 +25,7 @@ namespace PMP = CGAL::Polygon_mesh_processing;
 
 namespace {
 
-struct Options : Common_options
+struct Options : Estimator_options
 {
   std::vector<std::string> meshes;
   std::vector<double> radii = {2, 4, 8};

@@ -20,7 +20,7 @@ using namespace CGAL::Spider::benchmark;
 
 namespace {
 
-struct Options : Common_options
+struct Options : Estimator_options
 {
   std::vector<double> radii = {1, 2, 4, 8};
   std::vector<std::size_t> sizes = {1000, 10000, 100000};

@@ -30,17 +30,27 @@ CLI::Option* add_list(CLI::App& app, const std::string& name, std::vector<Value>
 // The options that all programs share.
 struct Common_options
 {
-  std::vector<std::string> estimators;
   std::string output;
   bool quick = false;
   bool no_progress = false;
 
   void add_to(CLI::App& app)
   {
-    add_list(app, "--estimators", estimators, "Names or parts of names, by commas; all if none is given");
     app.add_option("--output", output, "Directory for the results as CSV and JSON");
     app.add_flag("--quick", quick, "Few settings: ends within a minute. Options given beside it win");
     app.add_flag("--no-progress", no_progress, "Show no progress bar");
+  }
+};
+
+// The options of programs that compare estimators.
+struct Estimator_options : Common_options
+{
+  std::vector<std::string> estimators;
+
+  void add_to(CLI::App& app)
+  {
+    add_list(app, "--estimators", estimators, "Names or parts of names, by commas; all if none is given");
+    Common_options::add_to(app);
   }
 };
 

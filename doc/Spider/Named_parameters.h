@@ -188,7 +188,8 @@ auto line_motion(const T& kind);
 /*!
 \ingroup PkgSpiderParameters
 
-whether a closed mesh encloses as much after a round of smoothing as it did at first.
+whether vertices take back in each round of smoothing what those around them move alike, and a closed mesh encloses as much
+after it as at first.
 
 <b>Default:</b> `true`.
 

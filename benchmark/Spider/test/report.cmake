@@ -1,4 +1,4 @@
-# Runs all three programs on little, makes the report of it, and opens it in a browser.
+# Runs the programs on little, makes the report of it, and opens it in a browser.
 set(results ${CMAKE_CURRENT_BINARY_DIR}/results)
 set(few --quick --no-progress --output ${results})
 add_test(NAME compare_accuracy COMMAND compare_accuracy ${few} --vertices 400 --stability --pictures
@@ -10,6 +10,12 @@ if(SPIDER_DATA_ARCHIVE)
   add_test(NAME compare_on_scan COMMAND compare_on_scan ${few} --estimators jet2,meyer ${SPIDER_DATA_DIR}/bones.off)
   set_tests_properties(compare_on_scan PROPERTIES FIXTURES_SETUP spider_results TIMEOUT 300)
   add_dependencies(compare_on_scan spider_data)
+
+  # not in the report, which is of curvature
+  add_test(NAME compare_smoothing COMMAND compare_smoothing ${few} ${SPIDER_DATA_DIR}/hand.off)
+  set_tests_properties(compare_smoothing PROPERTIES PASS_REGULAR_EXPRESSION "\nrings  +0\\.200 +0\\.[0-9]+ .* 0\\.000 "
+                                                    TIMEOUT 300)
+  add_dependencies(compare_smoothing spider_data)
 endif()
 
 # Debian's own Python, whose packages the report needs, rather than another that comes first on the path

@@ -10,6 +10,7 @@
 
 #include <CGAL/boost/graph/helpers.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
@@ -58,9 +59,9 @@ cross.
   \cgalParamNBegin{geodesic_radius}
     \cgalParamDescription{the radius of the rings: larger ones smooth more, and blur more}
     \cgalParamType{a number, or a readable property map from vertices to numbers}
-    \cgalParamDefault{half of the mean length of the edges around each vertex}
-    \cgalParamExtra{the paper takes half of the mean edge length of the whole mesh (figure 11), which blurs where faces
-    are small}
+    \cgalParamDefault{half of the mean edge length of the mesh (the paper's, figure 11), or where the edges around a
+    vertex are shorter on average, half of that}
+    \cgalParamExtra{so rings don't reach beyond the faces around a vertex, where they would blur}
   \cgalParamNEnd
   \cgalParamNBegin{smoothing_factor}
     \cgalParamDescription{the share of the way to the ring's centroid that a vertex goes in a round}
@@ -93,11 +94,12 @@ cross.
     \cgalParamDefault{`Spider::arc_length` (the paper's)}
   \cgalParamNEnd
   \cgalParamNBegin{keep_volume}
-    \cgalParamDescription{whether every round ends with a step of all free vertices along their normals, of one length,
-    by which a closed mesh encloses as much as at first; of no effect on other meshes}
+    \cgalParamDescription{whether vertices take back in every round what those around them move alike, by which curved
+    parts would shrink; and then all free vertices step along their normals by one length, by which a closed mesh
+    encloses as much as at first}
     \cgalParamType{`bool`}
-    \cgalParamDefault{`true`}
-    \cgalParamExtra{such a step leaves constrained vertices where they are, which scaling the mesh would not}
+    \cgalParamDefault{`true` (the paper's: `false`)}
+    \cgalParamExtra{such steps leave constrained vertices where they are, which scaling the mesh would not}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_is_constrained_map}
     \cgalParamDescription{the vertices that stay where they are}
@@ -156,7 +158,9 @@ auto smooth_by_geodesic_rings(TriangleMesh& tmesh, const NamedParameters& np = C
   for(std::size_t v = 0; v < vertex_ranks.size(); ++v)
   {
     radii[v] = Inputs::has_radius ? inputs.radius_at(vertex_ranks[v])
-                                  : internal::mean_edge_length_at(mesh, static_cast<std::uint32_t>(v)) / 2;
+                                  : std::min(internal::mean_edge_length_at(mesh, static_cast<std::uint32_t>(v)),
+                                             inputs.options.mean_edge_length) /
+                                      2;
     if constexpr(internal::is_given<decltype(constrained)>)
       is_fixed[v] = get(constrained, vertex_ranks[v]);
   }

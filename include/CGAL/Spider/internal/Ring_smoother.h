@@ -91,7 +91,10 @@ public:
     while(done.number_of_iterations < options_.number_of_iterations && displacement > options_.convergence_displacement)
     {
       const std::vector<Vector> before = mesh_.points();
-      mesh_.move_to(moved_as_far_as_sound(mesh_, ways_to_centroids<ConcurrencyTag>()));
+      std::vector<Vector> ways = ways_to_centroids<ConcurrencyTag>();
+      if(options_.keep_volume)
+        give_back_what_is_common(ways);
+      mesh_.move_to(moved_as_far_as_sound(mesh_, ways));
       if(options_.keep_volume && is_closed_)
         step_to_volume(done.volume_before);
       displacement = 0;
@@ -135,6 +138,41 @@ private:
       },
       [&](Vertex v, const Vector& way) { ways[v] = way; });
     return ways;
+  }
+
+  /// takes from the ways of free vertices what the vertices around have in common with them: where a whole
+  /// neighbourhood goes one way it is for the shape of the surface, which shrinks by it, and not for noise. Two means
+  /// on end make what is given back of any pattern of ways a share from 0 to 1 of it. One would turn the sign of those
+  /// that alternate from vertex to vertex, which would then go up to half as far again.
+  void give_back_what_is_common(std::vector<Vector>& ways) const
+  {
+    const std::vector<Vector> common = means_around(means_around(ways));
+    for(Vertex v = 0; v < static_cast<Vertex>(ways.size()); ++v)
+      if(is_free(v))
+        ways[v] -= common[v];
+  }
+
+  /// returns the means of the values at the free vertices around each free one; zero elsewhere, and where there are
+  /// none.
+  std::vector<Vector> means_around(const std::vector<Vector>& values) const
+  {
+    std::vector<Vector> means(values.size(), Vector::Zero());
+    for(Vertex v = 0; v < static_cast<Vertex>(values.size()); ++v)
+    {
+      int count = 0;
+      if(is_free(v) && mesh_.first_corner(v) != View::null_halfedge())
+        visit_corners(mesh_, mesh_.first_corner(v), [&](typename View::Halfedge corner) {
+          const Vertex neighbour = mesh_.target(corner); // a free vertex has as many corners as neighbours
+          if(is_free(neighbour))
+          {
+            means[v] += values[neighbour];
+            ++count;
+          }
+        });
+      if(count > 0)
+        means[v] /= Scalar(count);
+    }
+    return means;
   }
 
   /// has free vertices step along their normals, all by one length, so that the mesh encloses a volume.
