@@ -212,6 +212,32 @@ in the mesh's units: smoothing ends with the first round in which no vertex move
 template <typename T>
 auto convergence_displacement(const T& length);
 
+/*!
+\ingroup PkgSpiderParameters
+
+a number that is not negative: `extract_ridges()` leaves out lines of less `Ridge_3::strength`.
+
+<b>Default:</b> 1.
+
+\param strength the value
+\return a chain of named parameters
+*/
+template <typename T>
+auto minimum_strength(const T& strength);
+
+/*!
+\ingroup PkgSpiderParameters
+
+a number that is not negative: `extract_ridges()` leaves out lines of less `Ridge_3::sharpness`.
+
+<b>Default:</b> 0.5.
+
+\param sharpness the value
+\return a chain of named parameters
+*/
+template <typename T>
+auto minimum_sharpness(const T& sharpness);
+
 } // namespace parameters
 } // namespace Spider
 } // namespace CGAL

@@ -9,6 +9,7 @@
 #include <CGAL/Spider/Curvature_estimator.h>
 #include <CGAL/Spider/Isoline_3.h>
 #include <CGAL/Spider/Limb_3.h>
+#include <CGAL/Spider/Ridge_3.h>
 #include <CGAL/Spider/classify_vertices.h>
 #include <CGAL/Spider/derived_fields.h>
 #include <CGAL/Spider/estimate_curvature.h>
@@ -18,6 +19,7 @@
 #include <CGAL/Spider/estimate_vertex_curvatures.h>
 #include <CGAL/Spider/estimate_vertex_normals.h>
 #include <CGAL/Spider/extract_isolines.h>
+#include <CGAL/Spider/extract_ridges.h>
 #include <CGAL/Spider/geodesic_ring.h>
 #include <CGAL/Spider/parameters.h>
 #include <CGAL/Spider/resample.h>

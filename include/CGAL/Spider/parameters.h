@@ -68,7 +68,9 @@ enum Line_motion
   DO(ring_weight)                          \
   DO(line_motion)                          \
   DO(keep_volume)                          \
-  DO(convergence_displacement)
+  DO(convergence_displacement)             \
+  DO(minimum_strength)                     \
+  DO(minimum_sharpness)
 
 namespace internal_np {
 

@@ -7,6 +7,7 @@
 #ifndef CGAL_SPIDER_INTERNAL_LEVEL_SET_H
 #define CGAL_SPIDER_INTERNAL_LEVEL_SET_H
 
+#include <CGAL/Spider/internal/Line_builder.h>
 #include <CGAL/Spider/internal/numbers.h>
 
 #include <CGAL/boost/graph/properties.h>
@@ -96,12 +97,15 @@ public:
   }
 
   /// returns a crossing's place in the face that its line leaves there.
-  Location location_behind(Halfedge crossing) const { return location(crossing, share_of_high(crossing)); }
+  Location location_behind(Halfedge crossing) const
+  {
+    return location_on_edge<Location>(view_, crossing, share_of_high(crossing));
+  }
 
   /// returns a crossing's place in the face that its line enters there.
   Location location_ahead(Halfedge crossing) const
   {
-    return location(view_.opposite(crossing), 1 - share_of_high(crossing));
+    return location_on_edge<Location>(view_, view_.opposite(crossing), 1 - share_of_high(crossing));
   }
 
 private:
@@ -120,18 +124,6 @@ private:
   {
     const Scalar low = scalar(view_.source(crossing)), high = scalar(view_.target(crossing));
     return high == value_ ? Scalar(1) : share_between(low, value_, high);
-  }
-
-  /// returns a point of a halfedge in its face, in the order of corners that `PMP::Face_location` has.
-  Location location(Halfedge h, Scalar share_of_target) const
-  {
-    const auto f = view_.face(h);
-    const Halfedge first = view_.halfedge(f);
-    const std::size_t source = h == first ? 0 : view_.preceding(h) == first ? 1 : 2;
-    Location result{f, {Scalar(0), Scalar(0), Scalar(0)}};
-    result.second[source] = 1 - share_of_target;
-    result.second[(source + 1) % 3] = share_of_target;
-    return result;
   }
 
   View view_;

@@ -27,6 +27,14 @@ template <typename T>
 constexpr bool is_number = !std::is_same<typename CGAL::Algebraic_structure_traits<T>::Algebraic_category,
                                          CGAL::Null_tag>::value;
 
+/// throws unless all faces are triangles.
+template <typename View, typename TriangleMesh>
+void check_is_triangulated(const View& view, const TriangleMesh& tmesh)
+{
+  for(const auto f : faces(tmesh))
+    view.other_edges(view.halfedge(f));
+}
+
 /// returns the mean length of the edges; 0 without an edge of finite length.
 template <typename View, typename TriangleMesh>
 typename View::Scalar mean_edge_length(const View& view, const TriangleMesh& tmesh)
