@@ -99,5 +99,8 @@ TEST(concepts, archetypes_can_be_labelled_drawn_on_and_smoothed)
   std::vector<Spider::Isoline_3<Graph>> lines;
   Spider::extract_isolines(graph, height, 0.1, std::back_inserter(lines));
   EXPECT_EQ(lines.size(), 1u);
+  std::vector<Spider::Ridge_3<Graph>> ridges;
+  Spider::extract_ridges(graph, curvature, std::back_inserter(ridges), params::minimum_sharpness(1e9));
+  EXPECT_TRUE(ridges.empty());
   EXPECT_GT(Spider::smooth_by_geodesic_rings(graph, params::smoothing_factor(0.5)).greatest_displacement, 0);
 }

@@ -141,6 +141,13 @@ void label(Mesh mesh, const Settings& settings, Random& random)
   for(Mesh::Vertex_index v : mesh.vertices())
     expect((labels[v] == Spider::unlabelled) == !curvature[v].is_valid(),
            "where there is an estimate there is a label");
+  std::vector<Spider::Ridge_3<Mesh>> lines;
+  Spider::extract_ridges(mesh, curvature, std::back_inserter(lines),
+                         Spider::parameters::minimum_strength(0).minimum_sharpness(0));
+  for(const auto& line : lines)
+    expect(line.points.size() >= 2 && line.points.size() == line.locations.size() && line.strength >= 0 &&
+             line.sharpness >= 0,
+           "a ridge has points, each somewhere, and is sharp");
 }
 
 void draw_isolines(Mesh mesh, Random& random)

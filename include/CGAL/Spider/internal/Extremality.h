@@ -26,8 +26,8 @@ namespace internal {
 template <typename Scalar>
 struct Curvature_across
 {
-  Scalar curvature, other; ///< positive on a ridge, and that along the ridge
-  Vec3<Scalar> direction;  ///< across, to either side
+  Scalar curvature = 0, other = 0;               ///< positive on a ridge, and that along the ridge
+  Vec3<Scalar> direction = Vec3<Scalar>::Zero(); ///< across, to either side
 };
 
 /// The curvature across a line that runs through a face, the mean over its corners, and how it falls off.
@@ -132,8 +132,8 @@ private:
   struct Value
   {
     Curvature_across<Scalar> across;
-    Vec3<Scalar> gradient; ///< of the curvature, times the area of the faces around
-    Scalar area, extremality;
+    Vec3<Scalar> gradient = Vec3<Scalar>::Zero(); ///< of the curvature, times the area of the faces around
+    Scalar area = 0, extremality = 0;
   };
 
   /// returns 1 where the directions of two vertices agree, -1 where one of them is to be turned, else NaN.
