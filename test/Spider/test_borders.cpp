@@ -43,6 +43,25 @@ double coverage_beside_hole(double distance, double hole_radius)
   return 1 - lost / (2 * meshes::pi);
 }
 
+/// returns a mesh without the faces whose centroid is within a distance of a point.
+Mesh punched(const Mesh& mesh, const Vector& centre, double hole_radius)
+{
+  Soup soup = soup_of(mesh);
+  const auto is_in_hole = [&](const meshes::Triangle& t) {
+    return ((soup.points[t[0]] + soup.points[t[1]] + soup.points[t[2]]) / 3 - centre).norm() < hole_radius;
+  };
+  soup.triangles.erase(std::remove_if(soup.triangles.begin(), soup.triangles.end(), is_in_hole), soup.triangles.end());
+  return meshes::from_soup<Mesh>(soup.points, soup.triangles);
+}
+
+double root_mean_square(const std::vector<double>& values)
+{
+  double sum = 0;
+  for(double x : values)
+    sum += x * x;
+  return std::sqrt(sum / double(values.size()));
+}
+
 } // namespace
 
 TEST(borders, half_a_spider_is_left_at_a_straight_border_and_a_quarter_in_a_corner)
@@ -85,13 +104,7 @@ TEST(borders, a_hole_takes_its_share)
     const auto np = settings.number_of_directions(directions);
     EXPECT_NEAR(Spider::estimate_curvature(grid_vertex(3, 0), plane, np).coverage, 1, 1e-12);
   });
-  // Faces whose centroid is within 1.5 are left out.
-  Soup soup = soup_of(plane);
-  const auto is_in_hole = [&](const meshes::Triangle& t) {
-    return (soup.points[t[0]] + soup.points[t[1]] + soup.points[t[2]]).norm() / 3 < 1.5;
-  };
-  soup.triangles.erase(std::remove_if(soup.triangles.begin(), soup.triangles.end(), is_in_hole), soup.triangles.end());
-  const Mesh with_hole = meshes::from_soup<Mesh>(soup.points, soup.triangles);
+  const Mesh with_hole = punched(plane, Vector(0, 0, 0), 1.5);
   for_each_setting(radius, [&](const auto& settings) {
     const auto np = settings.number_of_directions(directions);
     const Estimate e = Spider::estimate_curvature(grid_vertex(3, 0), with_hole, np);
@@ -101,6 +114,38 @@ TEST(borders, a_hole_takes_its_share)
     EXPECT_GE(e.coverage, coverage_beside_hole(3 / radius, 2.2 / radius));
     EXPECT_NEAR(e.curvedness(), 0, 1e-12);
     EXPECT_EQ(Spider::estimate_curvature(grid_vertex(8, 0), with_hole, np).status, Spider::ok);
+  });
+}
+
+TEST(borders, a_hole_far_from_the_point_moves_values_by_less_than_noise_does)
+{
+  const double spacing = 0.05, edge = 1.14 * spacing; // the mean length in such a grid
+  const double noise = 0.25 * edge, radius = 6 * edge;
+  const Vertex centre = grid_vertex(0, 0);
+  for_each_setting(radius, [&](const auto& np) {
+    std::vector<double> errors, moves; // of the least curvature and of the greatest
+    for(unsigned seed = 1; seed <= 20; ++seed)
+    {
+      const Mesh whole =
+        meshes::jittered(meshes::saddle<Mesh>(n, spacing, 1, -1, meshes::alternating), noise / 2, seed);
+      const Estimate before = Spider::estimate_curvature(centre, whole, np);
+      EXPECT_EQ(before.status, Spider::ok);
+      errors.insert(errors.end(), {before.min_curvature + 1, before.max_curvature - 1});
+      constexpr int holes = 5; // one at a time, two edges wide, and for each seed in directions of its own
+      for(int i = 0; i < holes; ++i)
+      {
+        const double angle = 2 * meshes::pi * (i + seed / 20.) / holes, distance = 2. / 3 * radius;
+        const Vector hole = meshes::point(whole, centre) + distance * Vector(std::cos(angle), std::sin(angle), 0);
+        const Estimate after = Spider::estimate_curvature(centre, punched(whole, hole, edge), np);
+        EXPECT_EQ(after.status, Spider::partial);
+        EXPECT_LT(after.coverage, before.coverage - 0.01);
+        EXPECT_GT(after.coverage, before.coverage - 0.1);
+        moves.insert(moves.end(), {after.min_curvature - before.min_curvature,
+                                   after.max_curvature - before.max_curvature});
+      }
+    }
+    // Measured: 0.21 of the error as published, 0.26 by default.
+    EXPECT_LE(root_mean_square(moves), 0.4 * root_mean_square(errors));
   });
 }
 
