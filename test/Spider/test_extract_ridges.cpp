@@ -249,6 +249,18 @@ TEST(extract_ridges, scales_with_the_mesh)
   }
 }
 
+TEST(extract_ridges, finds_none_on_a_mesh_without_a_length_to_go_by)
+{
+  Mesh mesh = meshes::icosphere<Mesh>(1);
+  const Estimates estimates = estimated(mesh, 0.5);
+  for(const double length : {0., 1e308}) // four times the mean edge is zero, or beyond all numbers
+  {
+    for(Vertex v : mesh.vertices())
+      mesh.point(v) = Kernel::Point_3(v.idx() % 2 * length, 0, 0);
+    EXPECT_TRUE(ridges(mesh, estimates).empty());
+  }
+}
+
 TEST(extract_ridges, refuses_what_it_cannot_work_with)
 {
   const Mesh mesh = meshes::icosphere<Mesh>(1);

@@ -89,11 +89,11 @@ void measure(Ridge& line, const Extremality& extremality, const View& view)
 
 /// returns how often gradients are averaged over neighbours: until over about a third of the radius.
 template <typename Scalar>
-int passes_within(Scalar radius, Scalar mean_edge_length)
+int passes_within(Scalar radius_in_edges)
 {
   constexpr Scalar edges_of_first_pass = 2; // a pass spreads by 0.65 edges along each axis; n passes by √n as much
   constexpr Scalar most_passes = 256;       // for a radius of 32 edges
-  const Scalar share = radius / (edges_of_first_pass * mean_edge_length), passes = std::round(share * share);
+  const Scalar share = radius_in_edges / edges_of_first_pass, passes = std::round(share * share);
   return passes < most_passes ? static_cast<int>(passes) : static_cast<int>(most_passes);
 }
 
@@ -176,10 +176,14 @@ OutputIterator extract_ridges(const TriangleMesh& tmesh, CurvatureMap curvature_
 
   const View view(tmesh, choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
                                           get_const_property_map(CGAL::vertex_point, tmesh)));
-  constexpr Scalar default_radius_in_edges = 4; // that of the estimates
-  const Scalar edge = internal::mean_edge_length(view, tmesh);
-  const auto radius = internal::to_scalar<Scalar>(
-    choose_parameter(get_parameter(np, Spider::internal_np::geodesic_radius), default_radius_in_edges * edge));
+  Scalar radius_in_edges = 4; // the default of the estimates
+  const auto given_radius = get_parameter(np, Spider::internal_np::geodesic_radius);
+  if constexpr(internal::is_given<decltype(given_radius)>)
+  {
+    const auto radius = internal::to_scalar<Scalar>(given_radius);
+    internal::check_radius(radius);
+    radius_in_edges = radius / internal::mean_edge_length(view, tmesh);
+  }
   constexpr Scalar default_strength = 1, default_sharpness = Scalar(0.5);
   const auto minimum_strength = internal::to_scalar<Scalar>(
     choose_parameter(get_parameter(np, Spider::internal_np::minimum_strength), default_strength));
@@ -190,12 +194,9 @@ OutputIterator extract_ridges(const TriangleMesh& tmesh, CurvatureMap curvature_
   internal::check_parameter(minimum_sharpness >= 0 && std::isfinite(minimum_sharpness), "minimum_sharpness",
                             minimum_sharpness, "give a finite number that is not negative");
   internal::check_is_triangulated(view, tmesh);
-  if(faces(tmesh).empty())
-    return out;
-  internal::check_radius(radius);
 
   const auto extract = [&](Ridge_kind kind, auto&& curvature_at) {
-    const Extremality extremality(view, tmesh, curvature_at, internal::passes_within(radius, edge));
+    const Extremality extremality(view, tmesh, curvature_at, internal::passes_within(radius_in_edges));
     internal::for_each_ridge(extremality, tmesh, [&](const auto& crossings, bool is_closed) {
       const internal::Line_builder<Extremality, Ridge> builder(extremality, crossings, is_closed);
       if(!builder.is_line())
