@@ -80,16 +80,18 @@ auto build_limb(const Inputs& inputs,
   Vec3<Scalar> last = query.site.point;
   Scalar length = 0, kept_length = 0;
   const Cut<Scalar> cut(Local_coordinates<Scalar>(query.site.point, {normal, direction}, query.radius), 1, 0);
+  // In halves, since the difference of two numbers may be beyond all numbers; otherwise that rounds the same.
   const auto extend = [&](const Step<View>& step) {
-    Vec3<Scalar> crossing = query.site.point;
+    Vec3<Scalar> half_crossing = query.site.point / 2;
     if(step.exit != nullptr)
     {
-      const Vec3<Scalar> s = inputs.view.point(inputs.view.source(step.exit->edge));
-      crossing = s + step.crossing * (inputs.view.point(inputs.view.target(step.exit->edge)) - s);
+      const Vec3<Scalar> half_source = inputs.view.point(inputs.view.source(step.exit->edge)) / 2,
+                         half_target = inputs.view.point(inputs.view.target(step.exit->edge)) / 2;
+      half_crossing = half_source + step.crossing * (half_target - half_source);
     }
-    const Vec3<Scalar> way = step.share * (crossing - last);
-    last += way;
-    length += (way / query.radius).norm();
+    const Vec3<Scalar> half_way = step.share * (half_crossing - last / 2);
+    last = 2 * (last / 2 + half_way);
+    length += 2 * (half_way / query.radius).norm();
     if(length - kept_length <= same_point && limb.polyline.size() > 1)
       limb.polyline.back() = from_vec3<typename Limb::Point_3>(last);
     else
