@@ -5,6 +5,7 @@
 // The promise: any model of `FaceGraph` will do, whatever holds it and whatever else is in it.
 
 #include "estimation.h"
+#include "every_function.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Linear_cell_complex_for_bgl_combinatorial_map_helper.h>
@@ -88,6 +89,15 @@ Other copy_of(const Mesh& mesh)
   return other;
 }
 
+template <typename Other>
+void expect_same_of_every_function()
+{
+  Mesh mesh = irregular_sphere();
+  Other other = copy_of<Other>(mesh);
+  const auto expected = every_function::call(mesh, radius);
+  every_function::expect_same(every_function::call(other, radius), expected, 1e-10);
+}
+
 } // namespace
 
 TEST(mesh_types, a_linear_cell_complex)
@@ -96,6 +106,7 @@ TEST(mesh_types, a_linear_cell_complex)
     2, 3, CGAL::Linear_cell_complex_traits<3, CGAL::Exact_predicates_inexact_constructions_kernel>>::type;
   const Mesh mesh = irregular_sphere();
   expect_same_places(estimates_by_place(copy_of<Complex>(mesh)), estimates_by_place(mesh));
+  expect_same_of_every_function<Complex>();
 }
 
 #ifdef SPIDER_HAS_OPENMESH
@@ -108,6 +119,7 @@ TEST(mesh_types, an_openmesh)
   using Polymesh = OpenMesh::PolyMesh_ArrayKernelT<Traits>;
   const Mesh mesh = irregular_sphere();
   expect_same_places(estimates_by_place(copy_of<Polymesh>(mesh)), estimates_by_place(mesh));
+  expect_same_of_every_function<Polymesh>();
 }
 #endif
 

@@ -127,19 +127,19 @@ Site<View> site_on_edge(const View& view, typename View::Halfedge h, typename Vi
   return site;
 }
 
-/// returns the longest edge of a triangle, as a vector; of several as long, that whose vertices come first in their
-/// order.
+/// returns the longest edge of a triangle as a vector that goes with its orientation, which doesn't depend on how the
+/// mesh is stored; of several as long, that which comes first after the first of the vertices.
 template <typename View>
 Vec3<typename View::Scalar> longest_edge(const View& view, std::array<typename View::Vertex, 3> vertices)
 {
   using Scalar = typename View::Scalar;
   constexpr Scalar longer = (1 + Scalar(1e-6)) * (1 + Scalar(1e-6)); // far above rounding; of squares
-  std::sort(vertices.begin(), vertices.end());
+  std::rotate(vertices.begin(), std::min_element(vertices.begin(), vertices.end()), vertices.end());
   const auto edge = [&](int from, int to) {
     return Vec3<Scalar>(view.point(vertices[to]) - view.point(vertices[from]));
   };
   Vec3<Scalar> longest = edge(0, 1);
-  for(const Vec3<Scalar>& other : {edge(0, 2), edge(1, 2)})
+  for(const Vec3<Scalar>& other : {edge(1, 2), edge(2, 0)})
     if(other.squaredNorm() > longer * longest.squaredNorm())
       longest = other;
   return longest;
