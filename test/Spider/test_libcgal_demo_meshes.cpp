@@ -2,11 +2,13 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The promise: no mesh crashes anything. Every mesh that comes with CGAL: scans, CAD models, broken and tiny ones.
+// The promise: no mesh crashes anything, with small radii or large ones, with feature edges or without. Every mesh that
+// comes with CGAL: scans, CAD models, broken and tiny ones.
 
 #include "estimation.h"
 
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
+#include <CGAL/Polygon_mesh_processing/detect_features.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 
 #include <filesystem>
@@ -36,14 +38,36 @@ bool read_triangle_mesh(const std::filesystem::path& file, Mesh& mesh)
          CGAL::is_triangle_mesh(mesh);
 }
 
+struct Tally
+{
+  std::size_t asked = 0, valid = 0;
+};
+
+/// asks at some vertices that are spread over a mesh.
+template <typename NamedParameters>
+void expect_sound_answers(const Mesh& mesh, Mesh::size_type most_queries, const NamedParameters& np, Tally& tally)
+{
+  const Spider::Curvature_estimator<Mesh, NamedParameters> estimator(mesh, np);
+  const Mesh::size_type stride = mesh.number_of_vertices() / most_queries + 1;
+  for(Mesh::size_type v = 0; v < mesh.number_of_vertices(); v += stride)
+  {
+    const Estimate e = estimator(Vertex(v));
+    expect_sound(e);
+    ++tally.asked;
+    tally.valid += e.is_valid();
+  }
+}
+
 } // namespace
 
 TEST(libcgal_demo_meshes, get_sound_answers)
 {
+  namespace PMP = CGAL::Polygon_mesh_processing;
   const auto files = mesh_files();
   if(files.empty())
     GTEST_SKIP() << "there are no meshes in " << SPIDER_DATA_DIR << " (Debian and Ubuntu: libcgal-demo)";
-  std::size_t number_read = 0, number_valid = 0, number_asked = 0;
+  std::size_t number_read = 0;
+  Tally tally;
   for(const auto& file : files)
   {
     SCOPED_TRACE(file.filename().string());
@@ -51,19 +75,23 @@ TEST(libcgal_demo_meshes, get_sound_answers)
     if(!read_triangle_mesh(file, mesh) || mesh.is_empty())
       continue;
     ++number_read;
-    for_each_setting(4 * meshes::mean_edge_length(mesh), [&mesh = mesh, &number_asked, &number_valid](const auto& np) {
-      const Spider::Curvature_estimator<Mesh, std::decay_t<decltype(np)>> estimator(mesh, np);
-      constexpr Mesh::size_type most_queries = 25;
-      const Mesh::size_type stride = mesh.number_of_vertices() / most_queries + 1;
-      for(Mesh::size_type v = 0; v < mesh.number_of_vertices(); v += stride)
+    const double edge = meshes::mean_edge_length(mesh);
+    constexpr double degrees_of_sharp_edges = 60;
+    const auto none = mesh.add_property_map<Mesh::Edge_index, bool>("e:none", false).first;
+    const auto sharp = mesh.add_property_map<Mesh::Edge_index, bool>("e:sharp", false).first;
+    PMP::detect_sharp_edges(mesh, degrees_of_sharp_edges, sharp);
+    const bool is_large = mesh.number_of_vertices() > 2000; // these make do with half of the combinations
+    for(int radius : {1, 4, 16}) // in edges
+      for(bool has_features : {false, true})
       {
-        const Estimate e = estimator(Vertex(v));
-        expect_sound(e);
-        ++number_asked;
-        number_valid += e.is_valid();
+        if(is_large && has_features == (radius == 4))
+          continue;
+        for_each_setting(radius * edge, [&, &mesh = mesh](const auto& np) {
+          const Mesh::size_type most_queries = radius == 1 ? 15 : radius == 4 ? 10 : 3; // time goes with its square
+          expect_sound_answers(mesh, most_queries, np.edge_is_constrained_map(has_features ? sharp : none), tally);
+        });
       }
-    });
   }
   EXPECT_GE(number_read, files.size() * 9 / 10);
-  EXPECT_GE(number_valid, number_asked * 95 / 100);
+  EXPECT_GE(tally.valid, tally.asked * 85 / 100); // measured: 92 %; patches between sharp edges may be a face or two
 }
