@@ -140,8 +140,8 @@ TEST(borders, a_hole_far_from_the_point_moves_values_by_less_than_noise_does)
         EXPECT_EQ(after.status, Spider::partial);
         EXPECT_LT(after.coverage, before.coverage - 0.01);
         EXPECT_GT(after.coverage, before.coverage - 0.1);
-        moves.insert(moves.end(), {after.min_curvature - before.min_curvature,
-                                   after.max_curvature - before.max_curvature});
+        moves.insert(moves.end(),
+                     {after.min_curvature - before.min_curvature, after.max_curvature - before.max_curvature});
       }
     }
     // Measured: 0.21 of the error as published, 0.26 by default.

@@ -81,7 +81,7 @@ TEST(libcgal_demo_meshes, get_sound_answers)
     const auto sharp = mesh.add_property_map<Mesh::Edge_index, bool>("e:sharp", false).first;
     PMP::detect_sharp_edges(mesh, degrees_of_sharp_edges, sharp);
     const bool is_large = mesh.number_of_vertices() > 2000; // these make do with half of the combinations
-    for(int radius : {1, 4, 16}) // in edges
+    for(int radius : {1, 4, 16})                            // in edges
       for(bool has_features : {false, true})
       {
         if(is_large && has_features == (radius == 4))

@@ -176,8 +176,8 @@ TEST(Trace_limb, ends_at_a_border_and_tells_which_edge)
 TEST(Trace_limb, crosses_an_edge_whose_ends_are_farther_apart_than_any_number)
 {
   const Mesh mesh = meshes::from_soup<Mesh>({{0, 0, 0}, {1.2e308, 1e300, 0}, {-1.2e308, 1e300, 0}}, {{0, 1, 2}});
-  const auto limb = trace_limb(Vertex_of<Mesh>(0), Kernel::Vector_3(0, 0, 1), Kernel::Vector_3(0, 1, 0), mesh,
-                               geodesic_radius(2e300));
+  const auto limb =
+    trace_limb(Vertex_of<Mesh>(0), Kernel::Vector_3(0, 0, 1), Kernel::Vector_3(0, 1, 0), mesh, geodesic_radius(2e300));
   EXPECT_EQ(limb.end, Spider::border);
   ASSERT_EQ(limb.polyline.size(), 2u);
   EXPECT_NEAR(limb.polyline[1].y() / 1e300, 1, 1e-12);
