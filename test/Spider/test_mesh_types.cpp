@@ -90,12 +90,12 @@ Other copy_of(const Mesh& mesh)
 }
 
 template <typename Other>
-void expect_same_of_every_function()
+void expect_same_of_every_function(double tolerance)
 {
   Mesh mesh = irregular_sphere();
   Other other = copy_of<Other>(mesh);
   const auto expected = every_function::call(mesh, radius);
-  every_function::expect_same(every_function::call(other, radius), expected, 1e-10);
+  every_function::expect_same(every_function::call(other, radius), expected, tolerance);
 }
 
 } // namespace
@@ -106,7 +106,7 @@ TEST(mesh_types, a_linear_cell_complex)
     2, 3, CGAL::Linear_cell_complex_traits<3, CGAL::Exact_predicates_inexact_constructions_kernel>>::type;
   const Mesh mesh = irregular_sphere();
   expect_same_places(estimates_by_place(copy_of<Complex>(mesh)), estimates_by_place(mesh));
-  expect_same_of_every_function<Complex>();
+  expect_same_of_every_function<Complex>(1e-10);
 }
 
 #ifdef SPIDER_HAS_OPENMESH
@@ -119,7 +119,7 @@ TEST(mesh_types, an_openmesh)
   using Polymesh = OpenMesh::PolyMesh_ArrayKernelT<Traits>;
   const Mesh mesh = irregular_sphere();
   expect_same_places(estimates_by_place(copy_of<Polymesh>(mesh)), estimates_by_place(mesh));
-  expect_same_of_every_function<Polymesh>();
+  expect_same_of_every_function<Polymesh>(1e-7); // CGAL rounds the points that it hands to an OpenMesh to floats
 }
 #endif
 
