@@ -251,6 +251,18 @@ TEST(classify_vertices, says_where_there_is_no_estimate)
   EXPECT_TRUE(std::isnan(labelled(Mesh(), std::map<Vertex, Estimate>()).threshold));
 }
 
+TEST(classify_vertices, labels_estimates_on_faces_without_area_too)
+{
+  const Mesh needle = meshes::from_soup<Mesh>({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{0, 1, 2}});
+  std::map<Vertex, Two_curvatures> curvature;
+  for(Vertex v : needle.vertices())
+    curvature[v] = {1, 2};
+  const auto result = labelled(needle, curvature);
+  EXPECT_GT(result.threshold, 0);
+  for(const auto& [v, label] : result.label)
+    EXPECT_EQ(label, Spider::convex);
+}
+
 TEST(classify_vertices, labels_a_scan_alike_before_and_after_remeshing)
 {
   Mesh scan;

@@ -24,11 +24,13 @@ struct Query_point
 {
   template <typename Query>
   Query_point(const Inputs& inputs, const Query& query)
-    : site(site_of(inputs.view, query)),
-      radius(interpolate(site, [&](typename Inputs::Vertex v) { return inputs.radius_at(v); }))
+    : site(site_of(inputs.view, query)), radius(inputs.radius_at(site.vertices[0]))
   {
     if constexpr(Inputs::has_radius_map())
+    {
+      radius = interpolate(site, [&](typename Inputs::Vertex v) { return inputs.radius_at(v); });
       check_radius(radius);
+    }
   }
 
   Site<typename Inputs::View> site;

@@ -88,7 +88,7 @@ auto vertex_areas(const View& view, const TriangleMesh& tmesh, typename View::Sc
   return areas;
 }
 
-/// returns the curvature up to which `classify_vertices()` takes a surface for flat.
+/// returns the curvature up to which `classify_vertices()` takes a surface for flat; NaN without any estimate.
 template <typename View, typename TriangleMesh, typename CurvatureMap>
 typename View::Scalar
 default_flatness_threshold(const View& view, const TriangleMesh& tmesh, CurvatureMap curvature_map)
@@ -106,6 +106,8 @@ default_flatness_threshold(const View& view, const TriangleMesh& tmesh, Curvatur
       curvatures.push_back({largest, get(areas, v)});
   }
 
+  if(curvatures.empty())
+    return nan<Scalar>();
   constexpr Scalar wild_share = Scalar(0.05); // where estimates may be of no use: on creases, at borders, by outliers
   // Well below 1, so that a shape with one curvature isn't flat anywhere; but the nearer to 1, the less of a surface is
   // so near to the threshold that another mesh of it makes another label. 0.75 and 0.5 differ by up to 2 % of the area.
@@ -113,7 +115,7 @@ default_flatness_threshold(const View& view, const TriangleMesh& tmesh, Curvatur
   const Scalar threshold = part_of_typical * trimmed_mean(curvatures, wild_share);
   // An arc as long as the extent that has this curvature is 1 / 8000 of it high.
   constexpr Scalar least_bend = Scalar(1e-3);
-  return threshold < least_bend / size ? least_bend / size : threshold;
+  return threshold > least_bend / size ? threshold : least_bend / size; // NaN where estimates are on no area
 }
 
 } // namespace internal
