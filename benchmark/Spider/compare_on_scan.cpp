@@ -7,9 +7,11 @@
 
 #include "Results.h"
 #include "options.h"
-#include "read_mesh.h"
 #include "registry.h"
 #include "stability.h"
+
+#include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
+#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -19,6 +21,7 @@
 #include <stdexcept>
 
 using namespace CGAL::Spider::benchmark;
+namespace PMP = CGAL::Polygon_mesh_processing;
 
 namespace {
 
@@ -31,7 +34,10 @@ struct Options : Estimator_options
 Surface read_surface(const std::string& path)
 {
   Surface surface;
-  surface.mesh = read_mesh(path);
+  if(!PMP::IO::read_polygon_mesh(path, surface.mesh) || surface.mesh.is_empty())
+    throw std::runtime_error("cannot read a mesh from " + path);
+  PMP::triangulate_faces(surface.mesh);
+  surface.mesh.collect_garbage();
   surface.mean_edge_length = mean_edge_length(surface.mesh);
   surface.border_distance = border_distances(surface.mesh);
   return surface;

@@ -7,12 +7,13 @@
 #include "Results.h"
 #include "noise.h"
 #include "options.h"
-#include "read_mesh.h"
 #include "smoothers.h"
 #include "surface_distance.h"
 #include "tessellations.h"
 
+#include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/Real_timer.h>
 
 #include <algorithm>
@@ -20,6 +21,7 @@
 #include <iomanip>
 #include <limits>
 #include <sstream>
+#include <stdexcept>
 
 using namespace CGAL::Spider::benchmark;
 namespace PMP = CGAL::Polygon_mesh_processing;
@@ -33,6 +35,16 @@ struct Options : Common_options
   std::size_t seeds = 3;
   int rounds = 10;
 };
+
+Mesh read_mesh(const std::string& path)
+{
+  Mesh mesh;
+  if(!PMP::IO::read_polygon_mesh(path, mesh) || mesh.is_empty())
+    throw std::runtime_error("cannot read a mesh from " + path);
+  PMP::triangulate_faces(mesh);
+  mesh.collect_garbage();
+  return mesh;
+}
 
 // What a smoother of one strength made of one mesh, on average over the seeds.
 struct Outcome

@@ -218,7 +218,7 @@ TEST(least_squares, agrees_with_a_QR_decomposition_and_leaves_out_what_rows_do_n
     equations.right_side[i] = system.col(i).dot(values);
   }
   equations.squared_values = values.squaredNorm();
-  const auto fit = internal::solve<size>(equations, 12.);
+  const auto fit = internal::solve<size, 2>(equations, 12., [](const auto&) { return 0.; });
   const Eigen::Vector3d expected = system.leftCols<3>().colPivHouseholderQr().solve(values);
   for(int i = 0; i < 3; ++i)
   {
@@ -228,6 +228,58 @@ TEST(least_squares, agrees_with_a_QR_decomposition_and_leaves_out_what_rows_do_n
   EXPECT_FALSE(fit.determined[3]);
   EXPECT_EQ(fit.coefficients[3], 0);
   EXPECT_NEAR(fit.residual, (system.leftCols<3>() * expected - values).norm() / std::sqrt(12.), 1e-12);
+}
+
+TEST(least_squares, takes_back_what_neglected_terms_do_by_the_share_that_is_effect_and_not_noise)
+{
+  constexpr int size = 3, fitted = 2;
+  std::mt19937 random(7);
+  const auto uniform = [&] { return random() / 4294967296.; };
+  Eigen::Matrix<double, 20, size> system;
+  Eigen::Matrix<double, 20, 1> values;
+  for(int i = 0; i < system.rows(); ++i)
+  {
+    const double x = uniform();
+    system.row(i) << 1, x, x * x;
+    values[i] = 1 + x + x * x + 0.2 * uniform();
+  }
+  internal::Normal_equations<double, size> equations;
+  for(int i = 0; i < size; ++i)
+  {
+    for(int k = 0; k <= i; ++k)
+      equations.matrix[i][k] = system.col(i).dot(system.col(k));
+    equations.right_side[i] = system.col(i).dot(values);
+  }
+  equations.squared_values = values.squaredNorm();
+
+  const Eigen::Vector2d plain = system.leftCols<fitted>().colPivHouseholderQr().solve(values);
+  const Eigen::Vector3d full = system.colPivHouseholderQr().solve(values);
+  // what of the neglected term the fitted ones don't explain: its square is what a coefficient of 1 would explain
+  const Eigen::VectorXd left =
+    system.col(2) - system.leftCols<fitted>() * system.leftCols<fitted>().colPivHouseholderQr().solve(system.col(2));
+  const double independent_values = 9, noise = (system * full - values).squaredNorm() / independent_values;
+  for(double expected : {0., 1e-3, 1., 1e12})
+  {
+    SCOPED_TRACE(expected);
+    const auto fit = internal::solve<fitted, 1>(equations, independent_values, [&](const auto& neglected) {
+      EXPECT_NEAR(neglected.plain[1], plain[1], 1e-11);
+      EXPECT_NEAR(neglected.explained_by_ones, left.squaredNorm(), 1e-9);
+      EXPECT_NEAR(neglected.noise, noise, 1e-9);
+      return internal::predicted_share(neglected, expected);
+    });
+    const double effect = expected * left.squaredNorm(), share = effect / (effect + noise);
+    EXPECT_NEAR(fit.share_of_neglected, share, 1e-9);
+    // The coefficient is linear in the values: noise of the same variance in all makes the sum of its factors' squares.
+    const Eigen::MatrixXd of_plain = system.leftCols<fitted>().colPivHouseholderQr().solve(Eigen::MatrixXd::Identity(20, 20)),
+                          of_full = system.colPivHouseholderQr().solve(Eigen::MatrixXd::Identity(20, 20));
+    const Eigen::VectorXd factors = (1 - share) * of_plain.row(1) + share * of_full.row(1);
+    EXPECT_NEAR(fit.standard_error, std::sqrt(noise) * factors.norm(), 1e-9);
+    for(int i = 0; i < fitted; ++i)
+    {
+      EXPECT_NEAR(fit.plain[i], plain[i], 1e-11);
+      EXPECT_NEAR(fit.coefficients[i], plain[i] + share * (full[i] - plain[i]), 1e-9);
+    }
+  }
 }
 
 TEST(spatial_order, holds_every_vertex_once_and_keeps_neighbours_together)

@@ -127,6 +127,7 @@ double best_radius(double noise, const Bias& bias_at)
       const double variance = variance_at(r) - (k + 1 < Spider::internal::number_of_rungs ? variance_at(next) : 0);
       error += noise * std::sqrt(3 * variance) * uniform();
       sample.mean_curvatures[k] = 1 + error + bias_at(r);
+      sample.standard_errors[k] = noise * std::sqrt(variance_at(r));
     }
     sample.usable = Spider::internal::number_of_rungs;
   }
@@ -141,16 +142,15 @@ TEST(suggest_geodesic_radius, is_nearly_as_good_as_the_best_fixed_radius)
   const auto ratio = [](const Surface& surface) {
     return error_of(surface, Spider::suggest_geodesic_radius(surface.mesh)) / error_of_best_fixed_radius(surface);
   };
-  EXPECT_LE(ratio(noisy_graph(saddle, 0.25, 1)), margin * 0.96);
-  EXPECT_LE(ratio(noisy_graph(saddle, 1, 1)), margin * 1.01);
-  EXPECT_LE(ratio(noisy_graph(waves, 0.25, 1)), margin * 1.08);
-  // So small a mesh leaves few vertices to judge by: on larger ones it is 1.1.
-  EXPECT_LE(ratio(noisy_graph(waves, 1, 1)), margin * 1.24);
+  EXPECT_LE(ratio(noisy_graph(saddle, 0.25, 1)), margin * 0.86);
+  EXPECT_LE(ratio(noisy_graph(saddle, 1, 1)), margin * 1.03);
+  EXPECT_LE(ratio(noisy_graph(waves, 0.25, 1)), margin * 0.99);
+  EXPECT_LE(ratio(noisy_graph(waves, 1, 1)), margin * 1.07);
 }
 
 TEST(suggest_geodesic_radius, grows_with_noise)
 {
-  const std::vector<std::pair<double, double>> measured = {{0, 2}, {0.05, 3.91}, {0.25, 5.66}, {1, 7.50}};
+  const std::vector<std::pair<double, double>> measured = {{0, 2}, {0.05, 3.78}, {0.25, 5.22}, {1, 6.71}};
   for(const auto& [noise, radius] : measured)
     EXPECT_NEAR(radius_in_edges(noisy_graph(waves, noise, 1).mesh), radius, 0.1 * radius) << noise;
 }
@@ -301,14 +301,14 @@ TEST(suggest_geodesic_radii, follow_the_density_of_vertices)
 TEST(Error_balance, finds_the_least_sum_of_noise_and_bias)
 {
   for(double noise : {0.01, 0.1})
-    for(double b : {2.5e-5, 2.5e-4})
+    for(double b : {2e-6, 2e-5})
     {
-      const auto error_at = [&](double r) { return noise * noise * variance_at(r) + b * b * std::pow(r, 4); };
-      const double found = best_radius(noise, [&](double r) { return b * r * r; });
+      const auto error_at = [&](double r) { return noise * noise * variance_at(r) + b * b * std::pow(r, 8); };
+      const double found = best_radius(noise, [&](double r) { return b * std::pow(r, 4); });
       double least = error_at(2);
       for(double r = 2; r <= 16; r += 0.01)
         least = std::min(least, error_at(r));
-      EXPECT_LE(error_at(found), 1.1 * least); // measured 1.09
+      EXPECT_LE(error_at(found), 1.1 * least); // measured 1.07
     }
 }
 
@@ -318,8 +318,8 @@ TEST(Error_balance, goes_as_far_as_there_is_only_noise_and_no_further_than_it_mu
   EXPECT_EQ(best_radius(0., [](double r) { return 1e-3 * r * r; }), 2);
 }
 
-TEST(Error_balance, sees_where_bias_turns_round)
+TEST(Error_balance, does_not_trust_large_radii_where_bias_turns_round)
 {
   const double found = best_radius(0.01, [](double r) { return 0.01 * r * r * (1 - r * r / 64); });
-  EXPECT_NEAR(found, 8, 0.2);
+  EXPECT_EQ(found, 2);
 }

@@ -4,7 +4,7 @@
 
 #include "Figure.h"
 
-#include "../read_mesh.h"
+#include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 
 #include <sstream>
 #include <stdexcept>
@@ -25,7 +25,13 @@ nlohmann::json triple(const Coordinates& c)
 
 } // namespace
 
-Mesh Figure_input::mesh(const std::string& name) const { return read_mesh(data + "/" + name); }
+Mesh Figure_input::mesh(const std::string& name) const
+{
+  Mesh mesh;
+  if(!CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(data + "/" + name, mesh) || !CGAL::is_triangle_mesh(mesh))
+    throw std::runtime_error("cannot read a triangle mesh from " + data + "/" + name);
+  return mesh;
+}
 
 Figure::Figure(int number, std::string title)
 {

@@ -5,9 +5,9 @@
 // Writes what the README's picture shows: a mesh with its mean curvature and normals at all vertices, and one spider.
 
 #include "../options.h"
-#include "../read_mesh.h"
 #include "../tessellations.h"
 
+#include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 #include <CGAL/Spider/estimate_vertex_curvatures.h>
 #include <CGAL/Spider/trace_limbs.h>
 
@@ -19,6 +19,7 @@
 #include <stdexcept>
 
 using namespace CGAL::Spider::benchmark;
+namespace PMP = CGAL::Polygon_mesh_processing;
 namespace Spider = CGAL::Spider;
 
 namespace {
@@ -44,6 +45,14 @@ struct Options
     app.add_option("--directions", directions, "Of the spider; two limbs each")->capture_default_str();
   }
 };
+
+Mesh read_mesh(const std::string& path)
+{
+  Mesh mesh;
+  if(!PMP::IO::read_polygon_mesh(path, mesh) || mesh.is_empty() || !CGAL::is_triangle_mesh(mesh))
+    throw std::runtime_error("cannot read a triangle mesh from " + path);
+  return mesh;
+}
 
 Vertex nearest_vertex(const Mesh& mesh, const Point& point)
 {

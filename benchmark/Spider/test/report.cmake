@@ -6,12 +6,6 @@ add_test(NAME compare_accuracy COMMAND compare_accuracy ${few} --vertices 400 --
 add_test(NAME compare_speed COMMAND compare_speed ${few} --estimators spider,jet2,meyer)
 set_tests_properties(compare_accuracy compare_speed PROPERTIES FIXTURES_SETUP spider_results TIMEOUT 300)
 
-# not in the report, which is of estimators
-add_test(NAME compare_speed_of_variants COMMAND compare_speed ${few} --variants)
-set_tests_properties(compare_speed_of_variants PROPERTIES
-                     PASS_REGULAR_EXPRESSION "Polyhedron_3<float>/directions:16/threads:[12]/torus/n:[0-9]+/r:4/"
-                     TIMEOUT 300)
-
 if(SPIDER_DATA_ARCHIVE)
   add_test(NAME compare_on_scan COMMAND compare_on_scan ${few} --estimators jet2,meyer ${SPIDER_DATA_DIR}/bones.off)
   set_tests_properties(compare_on_scan PROPERTIES FIXTURES_SETUP spider_results TIMEOUT 300)

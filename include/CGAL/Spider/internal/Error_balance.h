@@ -3,9 +3,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // How wrong mean curvature is at each radius of a ladder, and at which radius it is least so: told from the answers
-// alone, at a sample of vertices, without the truth. Where answers at successive radii differ, either noise was in the
-// smaller one or bias is in the larger one. Noise falls with the radius and bias grows, both at known rates: so there
-// is no more noise at a radius than smaller ones show, and no more bias than larger ones do.
+// alone, at a sample of vertices, without the truth. Each estimate comes with a standard error, which tells noise. What
+// answers at successive radii differ by beyond that is bias of the larger one.
 
 #ifndef CGAL_SPIDER_INTERNAL_ERROR_BALANCE_H
 #define CGAL_SPIDER_INTERNAL_ERROR_BALANCE_H
@@ -33,11 +32,12 @@ Scalar rung(Scalar index)
   return std::pow(Scalar(2), 1 + index / 2);
 }
 
-/// Mean curvatures at one vertex, in units of one over the edge length, one for each rung up to the last usable one.
+/// Mean curvatures at one vertex and their standard errors, in units of one over the edge length, one for each rung up to
+/// the last usable one.
 template <typename Scalar>
 struct Rung_values
 {
-  std::array<Scalar, number_of_rungs> mean_curvatures;
+  std::array<Scalar, number_of_rungs> mean_curvatures, standard_errors;
   int usable = 0;
 };
 
@@ -65,16 +65,15 @@ public:
       return;
     for(int k = 0; k + 1 < rungs_; ++k)
       steps_[k] = mean_square([&](const auto& H) { return H[k + 1] - H[k]; });
-    bound_noise();
-    bound_bias();
-    measure_bias_of_large_radii();
+    tell_noise();
+    tell_bias();
   }
 
   /// returns whether the last step is so much larger than the least error that no larger radius will be better.
   bool is_settled() const
   {
     constexpr Scalar hopeless = 4 * 4;
-    return rungs_ > 2 && steps_[rungs_ - 2] > hopeless * (noise_[best_rung()] + bias_[best_rung()]);
+    return rungs_ > 2 && steps_[rungs_ - 2] > hopeless * error(best_rung());
   }
 
   /// returns the radius of least error in edge lengths, if there is enough to judge by: vertices, and differences that
@@ -90,29 +89,6 @@ public:
 private:
   using Values = std::array<Scalar, number_of_rungs>;
 
-  /// How the variance of curvature falls with the radius in edge lengths, but for a factor. White noise would give its
-  /// sixth power; facets interpolate the noise of vertices, and small spiders see less of it. Measured on all
-  /// tessellations: the local power is 4.6 to 4.8 from two to four edges and 5.3 to 5.5 above eight, which this has too.
-  static Scalar noise_law(Scalar radius)
-  {
-    constexpr Scalar interpolated = 4; // edge lengths
-    const Scalar deviation = 1 / (radius * radius * (radius + interpolated));
-    return deviation * deviation;
-  }
-
-  static Scalar noise_ratio(int of, int to) { return noise_law(rung(Scalar(of))) / noise_law(rung(Scalar(to))); }
-
-  /// The best linear estimates at two radii differ by what the smaller one has more of noise (Hausman).
-  static Scalar noise_of_step(int k) { return 1 - noise_ratio(k + 1, k); }
-
-  /// By theory bias grows with the square of the radius, until the surface's own features end that; squares of bias by
-  /// no less than this power.
-  static Scalar bias_ratio(int of, int to)
-  {
-    constexpr Scalar least_power = Scalar(2.4);
-    return std::pow(rung(Scalar(of)) / rung(Scalar(to)), least_power);
-  }
-
   /// returns the square that the mean of absolute values stands for if they are normally distributed: a few vertices at
   /// creases, or at the tip of an ellipsoid, shall not decide for all.
   template <typename Term>
@@ -126,71 +102,60 @@ private:
     return half_pi * mean * mean;
   }
 
-  /// The noise at a rung is no more than what the step from any smaller one, or its own, leaves of it.
-  void bound_noise()
+  /// Standard errors are those of noise and of whatever else the fits leave over, so they are no more than upper bounds.
+  /// From one rung to the next, noise falls by three tenths or more, even where the share of the neglected terms that is
+  /// predicted grows meanwhile. And on the first rung, of two edges, there is no more than its step shows, of which at least
+  /// two thirds are gone on the next one.
+  void tell_noise()
   {
-    noise_.fill(std::numeric_limits<Scalar>::infinity());
+    constexpr Scalar least_fall = Scalar(0.7), told_too_small = Scalar(1.2), left_by_step = Scalar(1) / 3;
     for(int k = 0; k < rungs_; ++k)
-      for(int from = 0; from <= std::min(k, rungs_ - 2); ++from)
-        noise_[k] = std::min(noise_[k], steps_[from] / noise_of_step(from) * noise_ratio(k, from));
-  }
-
-  /// Bias doubles from one rung to the next, so it is as large as the step to the next one. It is no more than any
-  /// larger rung's scaled down.
-  void bound_bias()
-  {
-    constexpr Scalar tolerance = Scalar(1.15); // what the law of noise and the sample may be wrong by
-    constexpr Scalar of_last = 4;              // (1 + 1)², for the last rung has no next one
-    bias_.fill(std::numeric_limits<Scalar>::infinity());
-    for(int from = 0; from + 1 < rungs_; ++from)
     {
-      const Scalar bias = std::max(steps_[from] - tolerance * noise_of_step(from) * noise_[from], Scalar(0));
-      for(int k = 0; k <= from; ++k)
-        bias_[k] = std::min(bias_[k], bias * bias_ratio(k, from));
-      bias_[rungs_ - 1] = of_last * bias;
+      Scalar sum = 0;
+      for(const auto& sample : samples_)
+        sum += sample.standard_errors[k];
+      const Scalar mean = sum / static_cast<Scalar>(samples_.size());
+      const Scalar bound = k == 0 ? steps_[0] / (1 - left_by_step) : least_fall * noise_[k - 1];
+      noise_[k] = std::min(told_too_small * mean * mean, bound);
     }
   }
 
-  /// returns the rung of least error but for the last one.
+  /// The best linear estimates at two radii differ by what the smaller one has more of noise (Hausman), and beyond that by
+  /// bias. With the neglected terms predicted, bias is of the fourth order: three quarters of it are in the step from the
+  /// last rung. That it may turn round at large radii is no reason to believe these.
+  void tell_bias()
+  {
+    // Standard errors may be wrong by 15 %, and a mean square over n vertices by two times 1.5 / sqrt(n).
+    const Scalar tolerance = Scalar(1.15) + 3 / std::sqrt(static_cast<Scalar>(samples_.size()));
+    constexpr Scalar per_step = Scalar(16) / 9;
+    bias_[0] = 0;
+    for(int k = 1; k < rungs_; ++k)
+    {
+      const Scalar excess = steps_[k - 1] - tolerance * (noise_[k - 1] - noise_[k]);
+      bias_[k] = std::max(bias_[k - 1], per_step * excess);
+    }
+  }
+
+  Scalar error(int k) const { return noise_[k] + bias_[k]; }
+
   int best_rung() const
   {
     int best = 0;
-    for(int k = 1; k + 1 < rungs_; ++k)
-      if(noise_[k] + bias_[k] < noise_[best] + bias_[best])
+    for(int k = 1; k < rungs_; ++k)
+      if(error(k) < error(best))
         best = k;
     return best;
   }
 
-  /// At large radii bias may turn round. There the estimate of a smaller radius tells it, which has little bias and
-  /// that extrapolated to none: 2 H(m) - H(m + 1).
-  void measure_bias_of_large_radii()
-  {
-    const int m = best_rung();
-    for(int k = m + 2; k < rungs_; ++k)
-    {
-      const Scalar noise = 4 * noise_[m] - 3 * noise_[m + 1] - noise_[k];
-      const Scalar square = mean_square([&](const auto& H) { return H[k] - (2 * H[m] - H[m + 1]); });
-      bias_[k] = std::max(square - noise, Scalar(0));
-    }
-  }
-
+  /// returns where the parabola through the best rung and those beside it is least, in logarithms.
   Scalar radius_of_least_error() const
   {
-    constexpr int steps = 16; // by 2 % of the radius
-    Scalar best = rung<Scalar>(0), least = noise_[0] + bias_[0];
-    for(int k = 0; k + 1 < rungs_; ++k)
-      for(int step = 1; step <= steps; ++step)
-      {
-        const Scalar share = Scalar(step) / steps, radius = rung(k + share);
-        const Scalar noise = noise_[k] * noise_law(radius) / noise_law(rung(Scalar(k)));
-        const Scalar error = noise + bias_[k] + share * (bias_[k + 1] - bias_[k]);
-        if(error < least)
-        {
-          least = error;
-          best = radius;
-        }
-      }
-    return best;
+    const int best = best_rung();
+    if(best == 0 || best + 1 == rungs_)
+      return rung(Scalar(best));
+    const Scalar before = std::log(error(best - 1) / error(best)), after = std::log(error(best + 1) / error(best));
+    const Scalar sum = before + after;
+    return rung(best + (sum > 0 && std::isfinite(sum) ? (before - after) / (2 * sum) : Scalar(0)));
   }
 
   Samples samples_;

@@ -132,10 +132,11 @@ private:
     const Scalar radius = rung(Scalar(k)) * climber.edge_length;
     const Estimate<Scalar> estimate = engine(site, radius, k == 0 ? first_normal(site, radius) : climber.normal);
     const Scalar H = (estimate.min_curvature + estimate.max_curvature) / 2 * climber.edge_length;
-    climber.is_climbing = !estimate.meets_border && std::isfinite(H);
+    climber.is_climbing = !estimate.meets_border && std::isfinite(H) && std::isfinite(estimate.standard_error);
     if(climber.is_climbing)
     {
       climber.values.mean_curvatures[k] = H;
+      climber.values.standard_errors[k] = estimate.standard_error * climber.edge_length;
       climber.values.usable = k + 1;
       climber.normal = estimate.normal;
     }

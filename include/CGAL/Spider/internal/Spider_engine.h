@@ -28,7 +28,8 @@ struct Estimate
   Estimate_status status = isolated;
   Scalar coverage = 0;
   Scalar residual = nan<Scalar>();
-  bool meets_border = false; ///< a limb ended there
+  Scalar standard_error = nan<Scalar>(); ///< of mean curvature, where the estimator tells
+  bool meets_border = false;             ///< a limb ended there
 };
 
 /// The spider at one point after another: limbs, fit, and again from the new normal (paper, 2.2 to 2.4). Keeps its
@@ -60,7 +61,9 @@ public:
       const Scalar coverage = extent.reached / Scalar(extent.number_of_limbs) * (reach / radius);
       if(round == 0)
         estimate.coverage = coverage;
-      if(!fit.determined || (Fit::rests_at_best_fit && !(fit.residual * reach < estimate.residual) && round > 0))
+      // A spider that saw half as much must fit twice as well.
+      const bool is_better = fit.residual * reach * estimate.coverage < estimate.residual * coverage;
+      if(!fit.determined || (Fit::rests_at_best_fit && !is_better && round > 0))
         break; // the last round's answer stays
       estimate.coverage = coverage;
       estimate.meets_border = extent.meets_border;
@@ -83,7 +86,7 @@ private:
     // Were it noise that limbs climb, the misfit would be as large at any reach; but where few vertices are, anything
     // fits.
     constexpr Scalar same_misfit = Scalar(0.25);
-    constexpr Scalar fewest_segments_per_limb = Scalar(2.5);
+    constexpr Scalar fewest_values = 12; // twice as many as a quadric has terms
     const Spider_fit<Scalar> fit = fit_(view_, site, frame, reach, extent);
     bool is_walled_in = extent.is_walled_in();
     Scalar smaller_reach = reach;
@@ -94,7 +97,7 @@ private:
       const Spider_fit<Scalar> smaller_fit = fit_(view_, site, frame, smaller_reach, smaller_extent);
       is_walled_in = smaller_extent.is_walled_in();
       if(!is_walled_in && smaller_fit.determined &&
-         smaller_extent.number_of_segments >= fewest_segments_per_limb * Scalar(smaller_extent.number_of_limbs) &&
+         smaller_fit.independent_values >= fewest_values &&
          !(smaller_fit.residual * smaller_reach > same_misfit * fit.residual * reach))
       {
         reach = smaller_reach;
@@ -102,7 +105,10 @@ private:
         return smaller_fit;
       }
     }
-    return fit;
+    // Limbs that climb all around, and get nowhere, see noise or a fold from the side.
+    constexpr Scalar least_reached = Scalar(0.125);
+    const bool gets_nowhere = extent.is_walled_in() && extent.reached < least_reached * Scalar(extent.number_of_limbs);
+    return gets_nowhere ? Spider_fit<Scalar>() : fit;
   }
 
   static void take(const Spider_fit<Scalar>& fit, const Spider_frame<Scalar>& frame, Scalar radius,
@@ -114,6 +120,7 @@ private:
     estimate.min_curvature = fit.min_curvature / radius;
     estimate.max_curvature = fit.max_curvature / radius;
     estimate.residual = fit.residual * radius;
+    estimate.standard_error = fit.standard_error / radius;
     estimate.normal = unit<Scalar>(from_frame(fit.normal));
     estimate.min_direction = unit<Scalar>(from_frame(fit.min_direction));
     estimate.max_direction = estimate.normal.cross(estimate.min_direction);

@@ -21,7 +21,6 @@ struct Spider_extent
   Scalar reached = 0;      ///< by all limbs together, in units of the radius
   bool is_complete = true; ///< all limbs reached the radius
   int number_of_limbs = 0, number_of_walls = 0;
-  Scalar number_of_segments = 0; ///< of all limbs together, where the estimator counts them
   bool meets_border = false;
 
   /// adds a limb. `climbs` tells that it led farther from the tangent plane than along it.
@@ -49,6 +48,8 @@ struct Spider_fit
   Vec3<Scalar> normal = nan_vec3<Scalar>();        ///< from which the next round starts
   Vec3<Scalar> min_direction = nan_vec3<Scalar>(); ///< orthogonal to `normal`; that of `max_curvature` completes them
   Scalar residual = nan<Scalar>();                 ///< root mean square
+  Scalar standard_error = nan<Scalar>();           ///< that noise leaves in mean curvature, where the estimator tells
+  Scalar independent_values = 0; ///< in how many the samples' noise is independent, where the estimator tells
 };
 
 } // namespace internal

@@ -66,6 +66,17 @@ struct Height_field_basis
     return terms;
   }
 
+  /// returns the square that lets expect the coefficients of neglected terms to have, given those of the quadratic ones: a
+  /// surface with the principal curvatures' root mean square k that bends alike all around has terms of k^3 / 8, as the
+  /// circle z = k x^2 / 2 + k^3 x^4 / 8 + ... does.
+  template <typename Scalar>
+  static Scalar expected_square(const std::array<Scalar, size>& c)
+  {
+    const Scalar squared_curvature =
+      4 * (c[isotropic] * c[isotropic] + c[difference] * c[difference] + c[mixed] * c[mixed]);
+    return squared_curvature * squared_curvature * squared_curvature / 64;
+  }
+
   /// returns the factor by which a linear or neglected term depends on the direction with the given cosine and sine; the
   /// other one is a power of the distance.
   template <typename Value>

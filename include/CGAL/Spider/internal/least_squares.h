@@ -34,24 +34,18 @@ struct Normal_equations
   }
 };
 
-/// returns how much of an effect to believe, by how far its mean square exceeds what noise alone would bring about. It
-/// does so five times in one of three hundred cases (the F distribution with three and some fifty degrees of freedom);
-/// beyond that, it is shrunk by that threshold as in the estimator of James and Stein.
-template <typename Scalar>
-Scalar proven_share(Scalar mean_square, Scalar mean_square_of_noise)
-{
-  constexpr Scalar threshold = 5;
-  return mean_square > threshold * mean_square_of_noise ? 1 - threshold * mean_square_of_noise / mean_square
-                                                        : Scalar(0);
-}
-
 template <typename Scalar, int Size>
 struct Least_squares_fit
 {
-  std::array<Scalar, Size> coefficients; ///< 0 of terms that the rows don't determine
+  using Coefficients = std::array<Scalar, Size>;
+
+  Coefficients plain;                    ///< as if there were no neglected terms; 0 of those that the rows don't determine
+  Coefficients coefficients;             ///< without the neglected terms' effect, as far as that was taken back
   std::array<bool, Size> determined;
   Scalar residual;                       ///< root mean square
+  Scalar independent_values;             ///< in which noise is independent
   Scalar share_of_neglected = 0;         ///< how much of the neglected terms' effect was taken back
+  Scalar standard_error;                 ///< of the coefficient that was asked for
 };
 
 /// The Cholesky factorization of normal equations whose terms were scaled to a unit diagonal. A pivot is the share of a
@@ -103,10 +97,31 @@ struct Cholesky
   }
 };
 
-/// fits the first `Fitted` terms. The others are terms that these neglect: their effect on the fitted ones is taken back
-/// as far as the values prove it. `independent_values` is the number of values in which noise is independent.
-template <int Fitted, typename Scalar, int Size>
-Least_squares_fit<Scalar, Size> solve(const Normal_equations<Scalar, Size>& equations, Scalar independent_values)
+/// What is known of the terms that a fit neglects. Squares are what they explain of the values' squares, per term.
+template <typename Scalar, int Size>
+struct Neglected_terms
+{
+  const std::array<Scalar, Size>& plain; ///< the coefficients without them
+  Scalar explained_by_ones;              ///< if their coefficients were 1
+  Scalar noise;                          ///< what noise lets them explain
+};
+
+/// returns the share of neglected terms that the best linear predictor has, if the squares of their coefficients are
+/// expected to be as given.
+template <typename Scalar, int Size>
+Scalar predicted_share(const Neglected_terms<Scalar, Size>& neglected, Scalar expected_square)
+{
+  const Scalar effect = expected_square * neglected.explained_by_ones;
+  return effect > 0 ? effect / (effect + neglected.noise) : Scalar(0);
+}
+
+/// fits the first `Fitted` terms. The others are terms that these neglect, and what they do to the fitted ones is taken back
+/// by the share that `share_of(neglected_terms)` tells. `independent_values` is the number of values in which noise is
+/// independent: it has the residual tell that of noise, and the standard error that it leaves in the coefficient of `Term`.
+template <int Fitted, int Term, typename Scalar, int Size, typename ShareOf>
+Least_squares_fit<Scalar, Size> solve(const Normal_equations<Scalar, Size>& equations,
+                                      Scalar independent_values,
+                                      const ShareOf& share_of)
 {
   constexpr Scalar least_pivot = Scalar(1e-8), least_pivot_of_neglected = Scalar(1e-4);
   std::array<Scalar, Size> scale, x;
@@ -126,23 +141,52 @@ Least_squares_fit<Scalar, Size> solve(const Normal_equations<Scalar, Size>& equa
     unexplained -= x[i] * x[i];
   for(int i = Fitted; i < Size; ++i)
     explained_by_neglected += x[i] * x[i];
+
+  const auto coefficients_without = [&](Scalar share) {
+    auto c = x;
+    for(int i = Fitted; i < Size; ++i)
+      c[i] *= share;
+    cholesky.substitute_backward(c);
+    for(int i = 0; i < Size; ++i)
+      c[i] *= scale[i];
+    return c;
+  };
+  // Noise is the same in all these coordinates.
+  const Scalar noise = std::max(unexplained - explained_by_neglected, Scalar(0)) / independent_values;
+  std::array<Scalar, Size> part_of_term{};
+  part_of_term[Term] = scale[Term];
+  cholesky.substitute_forward(part_of_term);
+
   Least_squares_fit<Scalar, Size> fit;
+  fit.independent_values = independent_values;
+  fit.coefficients = fit.plain = coefficients_without(0);
   if constexpr(Size > Fitted)
   {
-    const Scalar noise = std::max(unexplained - explained_by_neglected, Scalar(0)) / independent_values;
-    const Scalar share = proven_share(explained_by_neglected / (Size - Fitted), noise);
+    constexpr Scalar count = Size - Fitted;
+    Scalar explained_by_ones = 0; // the trace of a Schur complement, which is the same whichever way axes are turned
     for(int i = Fitted; i < Size; ++i)
-      x[i] *= share;
-    unexplained -= share * (2 - share) * explained_by_neglected;
+      if(cholesky.inverse[i] > 0)
+      {
+        Scalar left = 1 / (cholesky.inverse[i] * cholesky.inverse[i]);
+        for(int j = Fitted; j < i; ++j)
+          left += cholesky.lower[i][j] * cholesky.lower[i][j];
+        explained_by_ones += left / (scale[i] * scale[i]);
+      }
+    const Scalar share = share_of(
+      Neglected_terms<Scalar, Size>{fit.plain, explained_by_ones / count, noise});
+    fit.coefficients = coefficients_without(share);
     fit.share_of_neglected = share;
+    unexplained -= share * (2 - share) * explained_by_neglected;
   }
-  cholesky.substitute_backward(x);
-
+  Scalar variance = 0;
   for(int i = 0; i < Size; ++i)
   {
-    fit.coefficients[i] = scale[i] * x[i];
-    fit.determined[i] = cholesky.inverse[i] > 0 && std::isfinite(fit.coefficients[i]);
+    const Scalar part = i < Fitted ? part_of_term[i] : fit.share_of_neglected * part_of_term[i];
+    variance += part * part;
   }
+  fit.standard_error = std::sqrt(noise * variance);
+  for(int i = 0; i < Size; ++i)
+    fit.determined[i] = cholesky.inverse[i] > 0 && std::isfinite(fit.coefficients[i]);
   fit.residual = std::sqrt(std::max(unexplained, Scalar(0)) / equations.matrix[0][0]);
   return fit;
 }

@@ -12,7 +12,7 @@
 //   mesh that one would get by moving the vertices onto the height field: the terms are interpolated along edges and
 //   along the limb as heights are. A mesh of an exact polynomial of the fitted degree gives that polynomial.
 // - A quadric takes what quartic terms do to the rim for curvature. These terms are estimated too, and their effect is
-//   taken back as far as the samples prove them.
+//   taken back by a share: the larger curvature lets expect them to be, and the less noise there is, the more of it.
 // - Limbs are walked in lockstep, and their samples only leave sums of powers behind.
 
 #ifndef CGAL_SPIDER_INTERNAL_SURFACE_FIT_H
@@ -22,6 +22,7 @@
 #include <CGAL/Spider/internal/Limb_directions.h>
 #include <CGAL/Spider/internal/Limb_moments.h>
 #include <CGAL/Spider/internal/Options.h>
+#include <CGAL/Spider/internal/Sample_sizes.h>
 #include <CGAL/Spider/internal/Spider_fit.h>
 #include <CGAL/Spider/internal/Spider_frame.h>
 #include <CGAL/Spider/internal/Star.h>
@@ -71,32 +72,20 @@ public:
       const int count = directions_.limbs_in_bundle(i);
       Limb_bundle<View> limbs(view, site, star, directions_.cosines[i], directions_.sines[i], count,
                               options_.limb_rule.measure);
-      extent.number_of_segments += sample(limbs, origin, bundles_[i]);
+      sample(limbs, origin, bundles_[i]);
       for(int limb = 0; limb < count; ++limb)
         extent.add(limbs.reached(limb), limbs.end(limb), limbs.climbs(limb));
     }
     if(!(extent.reached > 0))
       return {};
 
-    // Weight on the rim is against noise. Where neglected terms show, they matter more than noise does, and it is withdrawn.
-    const Scalar length_of_segments = extent.reached / extent.number_of_segments;
-    const Scalar independent_values = vertices_in_disc(length_of_segments);
-    const auto without_rim = solve<Basis::fitted>(sum_of_bundles(), independent_values);
-    const Values rim_weight = weight_of_rim(length_of_segments) * Values(1 - without_rim.share_of_neglected);
-    for(Bundle& bundle : bundles_)
-      bundle.moments.add(bundle.end, bundle.functions_at_end, bundle.is_complete * rim_weight);
-    return fit(solve<Basis::fitted>(sum_of_bundles(), independent_values), extent.is_complete);
+    // Weight on the rim is against noise. Where neglected terms matter more than noise does, it is withdrawn.
+    const auto without_rim = solve_bundles();
+    add_rim(1 - without_rim.share_of_neglected);
+    return fit(solve_bundles(), extent.is_complete);
   }
 
 private:
-  struct Bundle
-  {
-    Moments moments;
-    Functions functions_at_end;
-    Values end; ///< how far along their directions limbs got
-    Values is_complete;
-  };
-
   /// On average over its directions a line crosses 2 / pi edges per length and length of edges per area (Crofton), and
   /// equilateral triangles have edges of the length 2 sqrt(3) per area and edge length.
   static constexpr Scalar segments_per_edge_length() { return Scalar(2.2); }
@@ -109,21 +98,31 @@ private:
     return length / square_root(length + Values(Scalar(0.01)));
   }
 
+  struct Bundle
+  {
+    Moments moments;
+    Functions functions_at_end;
+    Values end; ///< how far along their directions limbs got
+    Values is_complete;
+    Sample_sizes<Scalar> sizes;
+  };
+
   /// Beyond the rim, noise is that of the samples at the rim for about an edge length: measured, as the weight at
   /// which the variance of curvature is least, on meshes with noise of all tessellations. A spider that is smaller than
   /// an edge doesn't know what is beyond; there the rim stands for no more than the radius.
-  static Values weight_of_rim(Scalar length_of_segments)
+  void add_rim(Scalar share)
   {
-    const Scalar length = std::min(length_of_segments, 1 / segments_per_edge_length());
-    return Values(segments_per_edge_length()) * weight_of_length(Values(length));
-  }
-
-  /// A disc of the radius holds 2 pi / sqrt(3) vertices per square of the edge length.
-  static Scalar vertices_in_disc(Scalar length_of_segments)
-  {
-    constexpr Scalar per_square = Scalar(3.63);
-    const Scalar edge_length = segments_per_edge_length() * length_of_segments;
-    return per_square / (edge_length * edge_length);
+    constexpr Scalar square_of_edge_by_doubled_area = Scalar(1.1547005); // of equilateral triangles: 2 / sqrt(3)
+    const Scalar edge_length =
+      std::min(std::sqrt(square_of_edge_by_doubled_area * sum_of_sizes().doubled_area()), Scalar(1));
+    const Values length(edge_length / segments_per_edge_length()),
+      weight_at_rim = Values(share * segments_per_edge_length()) * weight_of_length(length);
+    for(Bundle& bundle : bundles_)
+    {
+      const Values weight = bundle.is_complete * weight_at_rim;
+      bundle.moments.add(bundle.end, bundle.functions_at_end, weight);
+      bundle.sizes.add_weight(length, weight);
+    }
   }
 
   /// returns the terms at the query point, interpolated from the vertices that it lies between, and its height, 0.
@@ -145,14 +144,14 @@ private:
 
   static Values between(const Values& from, const Values& to, const Values& share) { return from + share * (to - from); }
 
-  /// walks limbs, with a sample in the middle of each of their segments; returns how many segments they have.
-  static Scalar sample(Limb_bundle<View>& limbs, const Functions& origin, Bundle& bundle)
+  /// walks limbs, with a sample in the middle of each of their segments.
+  static void sample(Limb_bundle<View>& limbs, const Functions& origin, Bundle& bundle)
   {
     Moments& moments = bundle.moments;
     moments.clear();
+    bundle.sizes = {};
     Functions& at = bundle.functions_at_end;
     at = origin;
-    Values segments(0);
     limbs.walk([&](const Segments<Scalar>& next) {
       const auto source = Basis::curved_at(next.source.x, next.source.y);
       const auto target = Basis::curved_at(next.target.x, next.target.y);
@@ -164,12 +163,12 @@ private:
         middle[k] = between(at[k], crossing, next.middle_share);
         at[k] = between(at[k], crossing, next.share);
       }
-      moments.add(next.middle, middle, next.middle * weight_of_length(next.gain));
-      segments += next.share;
+      const Values weight = next.middle * weight_of_length(next.gain);
+      moments.add(next.middle, middle, weight);
+      bundle.sizes.add(next.middle, next.gain, weight);
     });
     bundle.end = limbs.end_along_direction();
     bundle.is_complete = limbs.is_complete();
-    return segments.sum();
   }
 
   Normal_equations<Scalar, Basis::size> sum_of_bundles() const
@@ -189,6 +188,25 @@ private:
     return sum;
   }
 
+  Least_squares_fit<Scalar, Basis::size> solve_bundles() const
+  {
+    const auto equations = sum_of_bundles();
+    const Scalar sum_of_weights = equations.matrix[Basis::constant][Basis::constant];
+    const Scalar angle_between_limbs = Scalar(2 * CGAL_PI) / directions_.number_of_limbs;
+    return solve<Basis::fitted, Basis::isotropic>(
+      equations, sum_of_sizes().independent_values(sum_of_weights, angle_between_limbs), [](const auto& neglected) {
+        return predicted_share(neglected, Basis::expected_square(neglected.plain));
+      });
+  }
+
+  Sample_sizes<Scalar> sum_of_sizes() const
+  {
+    Sample_sizes<Scalar> sum;
+    for(const Bundle& bundle : bundles_)
+      sum += bundle.sizes;
+    return sum;
+  }
+
   static Spider_fit<Scalar> fit(const Least_squares_fit<Scalar, Basis::size>& field, bool is_complete)
   {
     // A spider inside one face, or inside coplanar ones, sees a plane, and no more than that if it is complete.
@@ -199,13 +217,20 @@ private:
       return {};
     // Few vertices, or few limbs, may tell how much the surface bends but not in which direction it does so more.
     const bool has_directions = determined[Basis::difference] && determined[Basis::mixed] && !is_flat;
-    const auto& c = field.coefficients;
-    const Scalar difference = has_directions ? c[Basis::difference] : 0, mixed = has_directions ? c[Basis::mixed] : 0;
+    // Directions are those of the plain fit: for them, what taking the neglected terms' effect back adds of noise is more
+    // than the bias that it takes.
+    const auto &c = field.coefficients, &plain = field.plain;
+    const Scalar bending = std::hypot(plain[Basis::difference], plain[Basis::mixed]);
+    const Scalar bends_as_plain = c[Basis::difference] * plain[Basis::difference] + c[Basis::mixed] * plain[Basis::mixed];
+    const Scalar ratio = has_directions && bending > 0 ? std::max(bends_as_plain, Scalar(0)) / (bending * bending) : 0;
+    const Scalar difference = ratio * plain[Basis::difference], mixed = ratio * plain[Basis::mixed];
     Spider_fit<Scalar> fit = principal_curvatures_of_graph<Scalar>(
       c[Basis::x_term], c[Basis::y_term], 2 * (c[Basis::isotropic] + difference), 2 * mixed,
       2 * (c[Basis::isotropic] - difference));
     fit.is_whole = has_directions || is_flat;
     fit.residual = field.residual;
+    fit.independent_values = field.independent_values;
+    fit.standard_error = 2 * field.standard_error;
     return fit;
   }
 
