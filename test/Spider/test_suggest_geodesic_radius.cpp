@@ -191,7 +191,12 @@ TEST(suggest_geodesic_radius, takes_the_settings_that_estimates_will_be_made_wit
   // More coefficients take more noise and less bias.
   const double quadric = Spider::suggest_geodesic_radius(mesh);
   const double quartic = Spider::suggest_geodesic_radius(mesh, params::polynomial_degree(4));
-  EXPECT_GT(quartic, 1.2 * quadric); // measured 1.41
+  EXPECT_GT(quartic, 1.2 * quadric); // measured 2.2
+  // Sections tell no standard error.
+  const auto of_sections = [](double noise) {
+    return Spider::suggest_geodesic_radius(noisy_graph(waves, noise, 1).mesh, params::estimator(Spider::section_fit));
+  };
+  EXPECT_GT(of_sections(1), 1.2 * of_sections(0.05)); // measured 2.8
 }
 
 TEST(suggest_geodesic_radius, is_in_the_number_type_of_results)

@@ -106,18 +106,34 @@ private:
   /// From one rung to the next, noise falls by three tenths or more, even where the share of the neglected terms that is
   /// predicted grows meanwhile. And on the first rung, of two edges, there is no more than its step shows, of which at least
   /// two thirds are gone on the next one.
+  /// Estimators that tell no standard errors are bound by the steps alone, and by a fall to a quarter.
   void tell_noise()
   {
-    constexpr Scalar least_fall = Scalar(0.7), told_too_small = Scalar(1.2), left_by_step = Scalar(1) / 3;
+    constexpr Scalar least_fall = Scalar(0.7), untold_fall = Scalar(0.25), left_by_step = Scalar(1) / 3;
     for(int k = 0; k < rungs_; ++k)
     {
-      Scalar sum = 0;
-      for(const auto& sample : samples_)
-        sum += sample.standard_errors[k];
-      const Scalar mean = sum / static_cast<Scalar>(samples_.size());
-      const Scalar bound = k == 0 ? steps_[0] / (1 - left_by_step) : least_fall * noise_[k - 1];
-      noise_[k] = std::min(told_too_small * mean * mean, bound);
+      const std::optional<Scalar> told = squared_standard_error(k);
+      const Scalar fall = told ? least_fall : untold_fall;
+      const Scalar bound = k == 0 ? steps_[0] / (1 - left_by_step) : fall * noise_[k - 1];
+      noise_[k] = told ? std::min(*told, bound) : bound;
     }
+  }
+
+  std::optional<Scalar> squared_standard_error(int k) const
+  {
+    constexpr Scalar told_too_small = Scalar(1.2); // errors are 1.1 times as large where vertices are regular
+    Scalar sum = 0;
+    std::size_t count = 0;
+    for(const auto& sample : samples_)
+      if(const Scalar error = sample.standard_errors[k]; std::isfinite(error))
+      {
+        sum += error;
+        ++count;
+      }
+    if(count == 0)
+      return {};
+    const Scalar mean = sum / static_cast<Scalar>(count);
+    return told_too_small * mean * mean;
   }
 
   /// The best linear estimates at two radii differ by what the smaller one has more of noise (Hausman), and beyond that by

@@ -132,7 +132,7 @@ private:
     const Scalar radius = rung(Scalar(k)) * climber.edge_length;
     const Estimate<Scalar> estimate = engine(site, radius, k == 0 ? first_normal(site, radius) : climber.normal);
     const Scalar H = (estimate.min_curvature + estimate.max_curvature) / 2 * climber.edge_length;
-    climber.is_climbing = !estimate.meets_border && std::isfinite(H) && std::isfinite(estimate.standard_error);
+    climber.is_climbing = !estimate.meets_border && std::isfinite(H);
     if(climber.is_climbing)
     {
       climber.values.mean_curvatures[k] = H;
