@@ -113,13 +113,14 @@ the lines, and ridges want a larger one than isolines do. What noise leaves is s
 beside it, and is left out by the two thresholds.
 
 Lines end at borders, where there is no finite estimate, where a line ceases to be a ridge, and at umbilics, where
-principal directions don't agree. They neither branch nor cross. It takes time
-linear in the size of the mesh, and in the square of the radius in units of the mean edge length.
+principal directions don't agree. They neither branch nor cross. It takes time linear in the size of the mesh, and in
+the square of the radius in units of the mean edge length.
 
 \tparam TriangleMesh a model of `VertexListGraph`, `EdgeListGraph`, `HalfedgeListGraph` and `FaceListGraph`
 \tparam CurvatureMap a model of `ReadablePropertyMap` from vertices to `Curvature_estimate_3`, or to another class with
-its members `min_curvature`, `max_curvature`, `min_direction` and `max_direction` \tparam OutputIterator an output
-iterator that takes `Ridge_3` \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+        its members `min_curvature`, `max_curvature`, `min_direction` and `max_direction`
+\tparam OutputIterator an output iterator that takes `Ridge_3`
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param tmesh a triangle mesh; it is only read
 \param curvature_map the estimates, which are read once for each vertex and each of the two kinds of lines
