@@ -15,8 +15,8 @@ namespace CGAL {
 namespace Spider {
 namespace internal {
 
-/// The normal equations of a model that is linear in `Size` terms, of which the first is constant: sums over rows of terms
-/// and the values there. `Value` is a number, or several numbers in lanes.
+/// The normal equations of a model that is linear in `Size` terms, of which the first is constant: sums over rows of
+/// terms and the values there. `Value` is a number, or several numbers in lanes.
 template <typename Value, int Size>
 struct Normal_equations
 {
@@ -39,13 +39,13 @@ struct Least_squares_fit
 {
   using Coefficients = std::array<Scalar, Size>;
 
-  Coefficients plain;                    ///< as if there were no neglected terms; 0 of those that the rows don't determine
-  Coefficients coefficients;             ///< without the neglected terms' effect, as far as that was taken back
+  Coefficients plain;        ///< as if there were no neglected terms; 0 of those that the rows don't determine
+  Coefficients coefficients; ///< without the neglected terms' effect, as far as that was taken back
   std::array<bool, Size> determined;
-  Scalar residual;                       ///< root mean square
-  Scalar independent_values;             ///< in which noise is independent
-  Scalar share_of_neglected = 0;         ///< how much of the neglected terms' effect was taken back
-  Scalar standard_error;                 ///< of the coefficient that was asked for
+  Scalar residual;               ///< root mean square
+  Scalar independent_values;     ///< in which noise is independent
+  Scalar share_of_neglected = 0; ///< how much of the neglected terms' effect was taken back
+  Scalar standard_error;         ///< of the coefficient that was asked for
 };
 
 /// The Cholesky factorization of normal equations whose terms were scaled to a unit diagonal. A pivot is the share of a
@@ -57,8 +57,7 @@ struct Cholesky
   std::array<Scalar, Size> inverse; ///< of the diagonal, 0 for terms that are left out
 
   template <typename LeastPivot>
-  Cholesky(const std::array<std::array<Scalar, Size>, Size>& matrix,
-           const std::array<Scalar, Size>& scale,
+  Cholesky(const std::array<std::array<Scalar, Size>, Size>& matrix, const std::array<Scalar, Size>& scale,
            const LeastPivot& least_pivot)
   {
     for(int i = 0; i < Size; ++i)
@@ -115,78 +114,129 @@ Scalar predicted_share(const Neglected_terms<Scalar, Size>& neglected, Scalar ex
   return effect > 0 ? effect / (effect + neglected.noise) : Scalar(0);
 }
 
-/// fits the first `Fitted` terms. The others are terms that these neglect, and what they do to the fitted ones is taken back
-/// by the share that `share_of(neglected_terms)` tells. `independent_values` is the number of values in which noise is
-/// independent: it has the residual tell that of noise, and the standard error that it leaves in the coefficient of `Term`.
+/// Normal equations in coordinates in which terms are orthonormal: each explains its square of the values' squares, and
+/// noise is the same in all. The terms from `Fitted` on are those that the ones before them neglect.
+template <int Fitted, typename Scalar, int Size>
+class Orthonormal_terms
+{
+public:
+  using Row = std::array<Scalar, Size>;
+
+  explicit Orthonormal_terms(const Normal_equations<Scalar, Size>& equations)
+    : squared_values_(equations.squared_values), scale_(scale_of(equations.matrix)),
+      cholesky_(equations.matrix, scale_, least_pivot)
+  {
+    for(int i = 0; i < Size; ++i)
+      values_[i] = scale_[i] * equations.right_side[i];
+    cholesky_.substitute_forward(values_);
+  }
+
+  bool has(int term) const { return cholesky_.inverse[term] > 0; }
+
+  /// returns what the fitted terms leave of the values' squares.
+  Scalar unexplained() const
+  {
+    Scalar left = squared_values_;
+    for(int i = 0; i < Fitted; ++i)
+      left -= values_[i] * values_[i];
+    return left;
+  }
+
+  Scalar explained_by_neglected() const
+  {
+    Scalar sum = 0;
+    for(int i = Fitted; i < Size; ++i)
+      sum += values_[i] * values_[i];
+    return sum;
+  }
+
+  /// returns what the neglected terms would explain if their coefficients were 1: the trace of a Schur complement,
+  /// which is the same whichever way axes are turned.
+  Scalar explained_by_ones() const
+  {
+    Scalar trace = 0;
+    for(int i = Fitted; i < Size; ++i)
+      if(has(i))
+      {
+        Scalar left = 1 / (cholesky_.inverse[i] * cholesky_.inverse[i]);
+        for(int j = Fitted; j < i; ++j)
+          left += cholesky_.lower[i][j] * cholesky_.lower[i][j];
+        trace += left / (scale_[i] * scale_[i]);
+      }
+    return trace;
+  }
+
+  /// returns the coefficients of all terms, with the given share of the neglected ones.
+  Row coefficients(Scalar share) const
+  {
+    Row result = values_;
+    for(int i = Fitted; i < Size; ++i)
+      result[i] *= share;
+    cholesky_.substitute_backward(result);
+    for(int i = 0; i < Size; ++i)
+      result[i] *= scale_[i];
+    return result;
+  }
+
+  /// returns the variance of the coefficient of `term` in `coefficients(share)` if that of noise is 1.
+  Scalar variance(int term, Scalar share) const
+  {
+    Row part{};
+    part[term] = scale_[term];
+    cholesky_.substitute_forward(part);
+    Scalar sum = 0;
+    for(int i = 0; i < Size; ++i)
+    {
+      const Scalar shared = i < Fitted ? part[i] : share * part[i];
+      sum += shared * shared;
+    }
+    return sum;
+  }
+
+private:
+  static Scalar least_pivot(int term) { return term < Fitted ? Scalar(1e-8) : Scalar(1e-4); }
+
+  static Row scale_of(const std::array<Row, Size>& matrix)
+  {
+    Row scale;
+    for(int i = 0; i < Size; ++i)
+      scale[i] = matrix[i][i] > 0 ? 1 / std::sqrt(matrix[i][i]) : Scalar(0);
+    return scale;
+  }
+
+  Scalar squared_values_;
+  Row scale_; ///< by which the matrix gets a unit diagonal
+  Cholesky<Scalar, Size> cholesky_;
+  Row values_;
+};
+
+/// fits the first `Fitted` terms. The others are terms that these neglect, and what they do to the fitted ones is taken
+/// back by the share that `share_of(neglected_terms)` tells. `independent_values` is the number of values in which
+/// noise is independent: it has the residual tell that of noise, and the standard error that it leaves in the
+/// coefficient of `Term`.
 template <int Fitted, int Term, typename Scalar, int Size, typename ShareOf>
-Least_squares_fit<Scalar, Size> solve(const Normal_equations<Scalar, Size>& equations,
-                                      Scalar independent_values,
+Least_squares_fit<Scalar, Size> solve(const Normal_equations<Scalar, Size>& equations, Scalar independent_values,
                                       const ShareOf& share_of)
 {
-  constexpr Scalar least_pivot = Scalar(1e-8), least_pivot_of_neglected = Scalar(1e-4);
-  std::array<Scalar, Size> scale, x;
-  for(int i = 0; i < Size; ++i)
-  {
-    scale[i] = equations.matrix[i][i] > 0 ? 1 / std::sqrt(equations.matrix[i][i]) : Scalar(0);
-    x[i] = scale[i] * equations.right_side[i];
-  }
-  const Cholesky<Scalar, Size> cholesky(equations.matrix, scale, [&](int i) {
-    return i < Fitted ? least_pivot : least_pivot_of_neglected;
-  });
-
-  // In the coordinates that forward substitution leads to, terms are orthonormal: each explains its square.
-  cholesky.substitute_forward(x);
-  Scalar unexplained = equations.squared_values, explained_by_neglected = 0;
-  for(int i = 0; i < Fitted; ++i)
-    unexplained -= x[i] * x[i];
-  for(int i = Fitted; i < Size; ++i)
-    explained_by_neglected += x[i] * x[i];
-
-  const auto coefficients_without = [&](Scalar share) {
-    auto c = x;
-    for(int i = Fitted; i < Size; ++i)
-      c[i] *= share;
-    cholesky.substitute_backward(c);
-    for(int i = 0; i < Size; ++i)
-      c[i] *= scale[i];
-    return c;
-  };
-  // Noise is the same in all these coordinates.
+  const Orthonormal_terms<Fitted, Scalar, Size> terms(equations);
+  Scalar unexplained = terms.unexplained();
+  const Scalar explained_by_neglected = terms.explained_by_neglected();
   const Scalar noise = std::max(unexplained - explained_by_neglected, Scalar(0)) / independent_values;
-  std::array<Scalar, Size> part_of_term{};
-  part_of_term[Term] = scale[Term];
-  cholesky.substitute_forward(part_of_term);
 
   Least_squares_fit<Scalar, Size> fit;
   fit.independent_values = independent_values;
-  fit.coefficients = fit.plain = coefficients_without(0);
+  fit.coefficients = fit.plain = terms.coefficients(0);
   if constexpr(Size > Fitted)
   {
     constexpr Scalar count = Size - Fitted;
-    Scalar explained_by_ones = 0; // the trace of a Schur complement, which is the same whichever way axes are turned
-    for(int i = Fitted; i < Size; ++i)
-      if(cholesky.inverse[i] > 0)
-      {
-        Scalar left = 1 / (cholesky.inverse[i] * cholesky.inverse[i]);
-        for(int j = Fitted; j < i; ++j)
-          left += cholesky.lower[i][j] * cholesky.lower[i][j];
-        explained_by_ones += left / (scale[i] * scale[i]);
-      }
-    const Scalar share = share_of(
-      Neglected_terms<Scalar, Size>{fit.plain, explained_by_ones / count, noise});
-    fit.coefficients = coefficients_without(share);
+    const Scalar share = share_of(Neglected_terms<Scalar, Size>{fit.plain, terms.explained_by_ones() / count, noise});
+    fit.coefficients = terms.coefficients(share);
     fit.share_of_neglected = share;
     unexplained -= share * (2 - share) * explained_by_neglected;
   }
-  Scalar variance = 0;
+  fit.standard_error = std::sqrt(noise * terms.variance(Term, fit.share_of_neglected));
   for(int i = 0; i < Size; ++i)
-  {
-    const Scalar part = i < Fitted ? part_of_term[i] : fit.share_of_neglected * part_of_term[i];
-    variance += part * part;
-  }
-  fit.standard_error = std::sqrt(noise * variance);
-  for(int i = 0; i < Size; ++i)
-    fit.determined[i] = cholesky.inverse[i] > 0 && std::isfinite(fit.coefficients[i]);
+    fit.determined[i] = terms.has(i) && std::isfinite(fit.coefficients[i]);
   fit.residual = std::sqrt(std::max(unexplained, Scalar(0)) / equations.matrix[0][0]);
   return fit;
 }
