@@ -32,8 +32,8 @@ Scalar rung(Scalar index)
   return std::pow(Scalar(2), 1 + index / 2);
 }
 
-/// Mean curvatures at one vertex and their standard errors, in units of one over the edge length, one for each rung up to
-/// the last usable one.
+/// Mean curvatures at one vertex and their standard errors, in units of one over the edge length, one for each rung up
+/// to the last usable one.
 template <typename Scalar>
 struct Rung_values
 {
@@ -102,11 +102,11 @@ private:
     return half_pi * mean * mean;
   }
 
-  /// Standard errors are those of noise and of whatever else the fits leave over, so they are no more than upper bounds.
-  /// From one rung to the next, noise falls by three tenths or more, even where the share of the neglected terms that is
-  /// predicted grows meanwhile. And on the first rung, of two edges, there is no more than its step shows, of which at least
-  /// two thirds are gone on the next one.
-  /// Estimators that tell no standard errors are bound by the steps alone, and by a fall to a quarter.
+  /// Standard errors are those of noise and of whatever else the fits leave over, so they are no more than upper
+  /// bounds. From one rung to the next, noise falls by three tenths or more, even where the share of the neglected
+  /// terms that is predicted grows meanwhile. And on the first rung, of two edges, there is no more than its step
+  /// shows, of which at least two thirds are gone on the next one. Estimators that tell no standard errors are bound by
+  /// the steps alone, and by a fall to a quarter.
   void tell_noise()
   {
     constexpr Scalar least_fall = Scalar(0.7), untold_fall = Scalar(0.25), left_by_step = Scalar(1) / 3;
@@ -136,9 +136,9 @@ private:
     return told_too_small * mean * mean;
   }
 
-  /// The best linear estimates at two radii differ by what the smaller one has more of noise (Hausman), and beyond that by
-  /// bias. With the neglected terms predicted, bias is of the fourth order: three quarters of it are in the step from the
-  /// last rung. That it may turn round at large radii is no reason to believe these.
+  /// The best linear estimates at two radii differ by what the smaller one has more of noise (Hausman), and beyond that
+  /// by bias. With the neglected terms predicted, bias is of the fourth order: three quarters of it are in the step
+  /// from the last rung. That it may turn round at large radii is no reason to believe these.
   void tell_bias()
   {
     // Standard errors may be wrong by 15 %, and a mean square over n vertices by two times 1.5 / sqrt(n).

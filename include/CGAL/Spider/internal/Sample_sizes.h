@@ -3,8 +3,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // In how many values the noise of samples is independent: far fewer than there are samples, which are interpolated from
-// the same few vertices. It is told from the lengths of segments alone, so that it changes little by little where a limb
-// comes to lie on the other side of a vertex.
+// the same few vertices. It is told from the lengths of segments alone, so that it changes little by little where a
+// limb comes to lie on the other side of a vertex.
 
 #ifndef CGAL_SPIDER_INTERNAL_SAMPLE_SIZES_H
 #define CGAL_SPIDER_INTERNAL_SAMPLE_SIZES_H
@@ -19,14 +19,14 @@ namespace CGAL {
 namespace Spider {
 namespace internal {
 
-/// Sums over the samples of limbs in lockstep, each in the middle of a segment of the length l at the distance y from the
-/// query point, with the weight w. Lengths are in units of the radius.
+/// Sums over the samples of limbs in lockstep, each in the middle of a segment of the length l at the distance y from
+/// the query point, with the weight w. Lengths are in units of the radius.
 template <typename Scalar>
 struct Sample_sizes
 {
   using Values = Lanes<Scalar>;
 
-  Values parts{0}, cubed_lengths{0};    ///< sums of y l, which is in proportion to area, and of y l^3
+  Values parts{0}, cubed_lengths{0};     ///< sums of y l, which is in proportion to area, and of y l^3
   Values squares{0}, squares_by_part{0}; ///< sums of w^2 and of w^2 / (y l)
 
   void add(const Values& y, const Values& length, const Values& weight)
@@ -53,13 +53,13 @@ struct Sample_sizes
     squares_by_part += other.squares_by_part;
   }
 
-  /// returns twice the area of a triangle, on average over the spider's area. By lines in all places and directions, the
-  /// mean cube of a triangle's chords is 3 / pi times its area times their mean (Crofton).
+  /// returns twice the area of a triangle, on average over the spider's area. By lines in all places and directions,
+  /// the mean cube of a triangle's chords is 3 / pi times its area times their mean (Crofton).
   Scalar doubled_area() const { return Scalar(2 * CGAL_PI / 3) * cubed_lengths.sum() / parts.sum(); }
 
   /// returns in how many values noise is independent, given the sum of weights. A mesh has half as many vertices as
-  /// triangles, so in the area between limbs that a sample stands for, there are as many as doubled areas. Where these are
-  /// few, its neighbours see the same ones; where they are many, it sees but about one of them.
+  /// triangles, so in the area between limbs that a sample stands for, there are as many as doubled areas. Where these
+  /// are few, its neighbours see the same ones; where they are many, it sees but about one of them.
   Scalar independent_values(Scalar sum_of_weights, Scalar angle_between_limbs) const
   {
     return sum_of_weights * sum_of_weights /

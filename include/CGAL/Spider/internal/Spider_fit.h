@@ -5,8 +5,8 @@
 #ifndef CGAL_SPIDER_INTERNAL_SPIDER_FIT_H
 #define CGAL_SPIDER_INTERNAL_SPIDER_FIT_H
 
-#include <CGAL/Spider/internal/walk_limb.h>
 #include <CGAL/Spider/internal/numbers.h>
+#include <CGAL/Spider/internal/walk_limb.h>
 
 namespace CGAL {
 namespace Spider {
