@@ -10,6 +10,7 @@
 #include "command_line.h"
 #include "for_each_vertex.h"
 #include "read_mesh.h"
+#include "read_numbers.h"
 #include "statistics.h"
 
 #include <CGAL/Polygon_mesh_processing/orientation.h>
@@ -260,6 +261,70 @@ TEST(Tool_read_mesh, gives_parts_that_meet_at_a_vertex_one_each)
   EXPECT_TRUE(mesh.is_valid());
   EXPECT_EQ(mesh.number_of_vertices(), 6u);
   EXPECT_EQ(mesh.number_of_edges(), 6u);
+}
+
+// two triangles, in all formats with the same normals
+const std::vector<Kernel::Vector_3> normals_of_square = {{0, 0, 1}, {0, 0.5, 1}, {0.25, 0, 1}, {0, 0, -2}};
+const std::string square_as_noff = "NOFF\n4 2 0\n0 0 0 0 0 1\n1 0 0 0 0.5 1\n1 1 0 0.25 0 1\n0 1 0 0 0 -2\n"
+                                   "3 0 1 2\n3 0 2 3\n";
+const std::string header_of_ply = "ply\nformat ascii 1.0\nelement vertex 4\n"
+                                  "property float x\nproperty float y\nproperty float z\n";
+const std::string faces_of_ply = "element face 2\nproperty list uchar int vertex_indices\nend_header\n";
+
+TEST(Tool_read_vertex_normals, reads_off_and_ply)
+{
+  const std::string ply = header_of_ply + "property double nx\nproperty double ny\nproperty double nz\n" +
+                          faces_of_ply + "0 0 0 0 0 1\n1 0 0 0 0.5 1\n1 1 0 0.25 0 1\n0 1 0 0 0 -2\n3 0 1 2\n3 0 2 3\n";
+  for(const std::string& file : {written_file("normals.off", square_as_noff), written_file("normals.ply", ply)})
+    EXPECT_EQ(tool::read_vertex_normals(file, tool::read_mesh(file)), normals_of_square) << file;
+}
+
+TEST(Tool_read_vertex_normals, adds_those_of_points_that_become_one)
+{
+  // The square's diagonal is there twice, and a third face is to be turned: without that the file would be left as it
+  // is.
+  const std::string file = written_file("doubled.off", "NOFF\n7 3 0\n0 0 0 0 0 1\n1 0 0 0 0 3\n1 1 0 1 0 1\n"
+                                                       "0 0 0 0 1 1\n1 1 0 0 0 1\n0 1 0 0 0 5\n1 -1 0 0 0 7\n"
+                                                       "3 0 1 2\n3 3 4 5\n3 0 1 6\n");
+  const Mesh mesh = tool::read_mesh(file);
+  ASSERT_EQ(mesh.number_of_vertices(), 5u);
+  const auto normals = tool::read_vertex_normals(file, mesh);
+  const auto normal_at = [&](double x, double y) { return normals[vertex_nearest_to(mesh, {x, y, 0})]; };
+  EXPECT_EQ(normal_at(0, 0), Kernel::Vector_3(0, 1, 2));
+  EXPECT_EQ(normal_at(1, 1), Kernel::Vector_3(1, 0, 2));
+  EXPECT_EQ(normal_at(1, 0), Kernel::Vector_3(0, 0, 3));
+  EXPECT_EQ(normal_at(0, 1), Kernel::Vector_3(0, 0, 5));
+}
+
+TEST(Tool_read_vertex_normals, refuses_files_without)
+{
+  const std::string ply = header_of_ply + faces_of_ply + "0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n";
+  const std::string obj = "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n";
+  for(const std::string& file : {written_file("plain.ply", ply), written_file("plain.obj", obj)})
+    EXPECT_THROW(tool::read_vertex_normals(file, tool::read_mesh(file)), tool::Unusable_mesh) << file;
+}
+
+TEST(Tool_read_numbers, reads_text_and_csv)
+{
+  EXPECT_EQ(tool::read_numbers(written_file("numbers.txt", "1 2.5\ninf\t-3e-2\n")),
+            (std::vector<double>{1, 2.5, std::numeric_limits<double>::infinity(), -0.03}));
+  const std::string csv = written_file("numbers.csv", "x,radius,y\r\n1,2,3\r\n4,nan,6\r\n");
+  const auto radii = tool::read_column(csv, "radius");
+  ASSERT_EQ(radii.size(), 2u);
+  EXPECT_EQ(radii[0], 2);
+  EXPECT_TRUE(std::isnan(radii[1]));
+  EXPECT_EQ(tool::read_column(csv, "y"), (std::vector<double>{3, 6})); // the last one, before the end of a line
+  EXPECT_EQ(tool::read_indices(written_file("indices.txt", "0 7\n3"), 8), (std::vector<std::size_t>{0, 7, 3}));
+}
+
+TEST(Tool_read_numbers, refuses_what_is_none)
+{
+  EXPECT_THROW(tool::read_numbers(testing::TempDir() + "no-such-file.txt"), std::invalid_argument);
+  EXPECT_THROW(tool::read_numbers(written_file("words.txt", "1 two 3")), std::invalid_argument);
+  EXPECT_THROW(tool::read_column(written_file("cells.csv", "x,radius\n1\n"), "radius"), std::invalid_argument);
+  EXPECT_THROW(tool::read_column(written_file("names.csv", "x,y\n1,2\n"), "radius"), std::invalid_argument);
+  for(const char* index : {"-1", "8", "1.5", "nan"})
+    EXPECT_THROW(tool::read_indices(written_file("index.txt", index), 8), std::invalid_argument) << index;
 }
 
 TEST(Tool_read_mesh, refuses_in_one_line)

@@ -8,6 +8,7 @@
 #include "read_mesh.h"
 
 #include <CGAL/Spider/classify_vertices.h>
+#include <CGAL/Spider/estimate_vertex_curvatures.h>
 #include <CGAL/Surface_mesh/IO/PLY.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
@@ -226,6 +227,101 @@ TEST(Tool_program, heeds_growth_costs)
   EXPECT_EQ(spider(run + forbidden).json()["runs"][0]["vertices"]["ok"], 0);
 }
 
+// the numbers of an edge's vertices, a line for each edge of the unit cube's own
+std::string edges_of_cube(const Mesh& mesh)
+{
+  const auto is_side = [](double x, double y) { return x == y && (x == 0 || x == 1); };
+  std::string text;
+  for(auto e : mesh.edges())
+  {
+    const auto p = mesh.point(mesh.vertex(e, 0)), q = mesh.point(mesh.vertex(e, 1));
+    if(is_side(p.x(), q.x()) + is_side(p.y(), q.y()) + is_side(p.z(), q.z()) == 2)
+      text += std::to_string(mesh.vertex(e, 0).idx()) + " " + std::to_string(mesh.vertex(e, 1).idx()) + "\n";
+  }
+  return text;
+}
+
+TEST(Tool_program, takes_feature_edges_from_a_file)
+{
+  const std::string file = written("edges.txt", edges_of_cube(tool::read_mesh(cube_file())));
+  const std::string csv = path("constrained.csv");
+  const auto outcome =
+    spider(cube_file() + " -q --json --geodesic-radius 0.3 --constrained-edges " + file + " --output " + csv);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(outcome.json()["mesh"]["feature_edges"], 12 * cells);
+  for(double H : read_csv(csv)["H"])
+    EXPECT_NEAR(H, 0, 1e-10);
+  const auto kept = spider(cube_file() + " -q --json --smooth 3 --constrained-edges " + file);
+  EXPECT_LT(kept.json()["smoothing"]["greatest_displacement"], 1e-12);
+}
+
+TEST(Tool_program, starts_from_the_normals_in_the_file)
+{
+  // Normals that are off by 0.3 radians, and one round, which doesn't mend them: then they are in the answer.
+  const Mesh mesh = tool::read_mesh(sphere_file());
+  std::vector<tool::Kernel::Vector_3> normals;
+  std::ostringstream noff;
+  noff.precision(17);
+  noff << "NOFF\n" << mesh.number_of_vertices() << ' ' << mesh.number_of_faces() << " 0\n";
+  for(Vertex v : mesh.vertices())
+  {
+    const auto p = mesh.point(v) - CGAL::ORIGIN;
+    normals.push_back(p + 0.3 * CGAL::cross_product(tool::Kernel::Vector_3(1, 0, 0), p));
+    noff << mesh.point(v) << ' ' << normals.back() << '\n';
+  }
+  for(auto f : mesh.faces())
+  {
+    noff << 3;
+    for(Vertex v : mesh.vertices_around_face(mesh.halfedge(f)))
+      noff << ' ' << v.idx();
+    noff << '\n';
+  }
+  const std::string csv = path("normals.csv");
+  const std::string run = written("normals.off", noff.str()) +
+                          " -q --estimator section_fit --number-of-iterations 1 --geodesic-radius 0.5 -o " + csv;
+  ASSERT_EQ(spider(run).exit_code, 0);
+  const auto without = read_csv(csv).at("H");
+  ASSERT_EQ(spider(run + " --vertex-normals").exit_code, 0);
+  const auto with = read_csv(csv).at("H");
+
+  std::vector<tool::Estimate> expected(mesh.number_of_vertices());
+  CGAL::Spider::estimate_vertex_curvatures(
+    mesh, tool::Array_map<Vertex, tool::Estimate>{expected.data()},
+    CGAL::Spider::parameters::geodesic_radius(0.5)
+      .estimator(CGAL::Spider::section_fit)
+      .number_of_iterations(1)
+      .vertex_normal_map(tool::Array_map<Vertex, const tool::Kernel::Vector_3>{normals.data()}));
+  for(Vertex v : mesh.vertices())
+    EXPECT_EQ(with[v], expected[v].mean_curvature());
+  EXPECT_NE(with, without);
+}
+
+TEST(Tool_program, takes_a_radius_for_each_vertex)
+{
+  const auto run = [](const std::string& options) {
+    const std::string csv = path("by-vertex.csv");
+    EXPECT_EQ(spider(sphere_file() + " -q -o " + csv + " " + options).exit_code, 0) << options;
+    return read_csv(csv);
+  };
+  std::string radii;
+  for(int v = 0; v < 2562; ++v)
+    radii += v % 2 == 0 ? "0.5\n" : "0.8\n";
+  // by faces' normals, which a neighbour's radius has no part in
+  const std::string first_normal = " --first-normal incident_faces";
+  auto mixed = run("--radius-by-vertex " + written("radii.txt", radii) + first_normal);
+  auto small = run("--geodesic-radius 0.5" + first_normal), large = run("--geodesic-radius 0.8" + first_normal);
+  for(std::size_t v = 0; v < mixed["H"].size(); ++v)
+  {
+    EXPECT_EQ(mixed["radius"][v], v % 2 == 0 ? 0.5 : 0.8);
+    EXPECT_EQ(mixed["H"][v], (v % 2 == 0 ? small : large)["H"][v]);
+  }
+  EXPECT_NE(small["H"], large["H"]);
+
+  const auto suggested = run("--suggest-radius-by-vertex");
+  const std::string csv = written("radii.csv", content(path("by-vertex.csv")));
+  EXPECT_EQ(run("--radius-by-vertex " + csv), suggested);
+}
+
 TEST(Tool_program, suggests_a_radius)
 {
   const auto one = spider(sphere_file() + " -q --json --suggest-radius").json()["runs"][0]["radius"];
@@ -257,6 +353,62 @@ TEST(Tool_program, draws_isolines)
   EXPECT_NE(content(vtp).find("NumberOfLines=\"6\""), std::string::npos);
 }
 
+double perimeter_of_ellipse(double a, double b) // Ramanujan's, good to nine digits here
+{
+  const double h = (a - b) * (a - b) / ((a + b) * (a + b));
+  return meshes::pi * (a + b) * (1 + 3 * h / (10 + std::sqrt(4 - 3 * h)));
+}
+
+TEST(Tool_program, draws_ridges)
+{
+  Mesh ellipsoid = meshes::icosphere<Mesh>(4);
+  for(Vertex v : ellipsoid.vertices())
+  {
+    const auto p = ellipsoid.point(v);
+    ellipsoid.point(v) = {2 * p.x(), 1.4 * p.y(), p.z()};
+  }
+  const std::string obj = path("ridges.obj"), vtp = path("ridges.vtp");
+  const std::string run = written("ellipsoid.off", ellipsoid) + " -q --json --geodesic-radius 0.3 --ridges ";
+  const auto outcome = spider(run + obj);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto ridges = outcome.json()["ridges"], valleys = outcome.json()["valleys"];
+  EXPECT_EQ(ridges["lines"], 1); // around the middle, across the short axis
+  EXPECT_EQ(valleys["lines"], 0);
+  const double length = ridges["length"], strength = ridges["strength"];
+  EXPECT_NEAR(length, perimeter_of_ellipse(2, 1.4), 0.02); // of edges of 0.1, whose square is 0.01
+  EXPECT_GT(strength, 1.4 * length);                       // the curvature across, at its least
+  EXPECT_LT(strength, 2 * length);                         // and at its greatest
+
+  std::istringstream lines(content(obj));
+  std::string word;
+  std::vector<std::string> indices;
+  for(std::string line; std::getline(lines, line);)
+  {
+    std::istringstream words(line);
+    words >> word;
+    if(word == "v")
+    {
+      double x, y, z;
+      words >> x >> y >> z;
+      EXPECT_NEAR(z, 0, 1e-4); // measured: 1e-6
+    }
+    else if(word == "l")
+      indices.assign(std::istream_iterator<std::string>(words), {});
+  }
+  EXPECT_EQ(content(obj).rfind("g ridges\n", 0), 0u);
+  ASSERT_GT(indices.size(), 2u);
+  EXPECT_EQ(indices.front(), indices.back()); // closed
+
+  ASSERT_EQ(spider(run + vtp).exit_code, 0);
+  EXPECT_NE(content(vtp).find("NumberOfLines=\"1\""), std::string::npos);
+  for(const char* name : {"strength", "sharpness", "kind"})
+    EXPECT_NE(content(vtp).find("Name=\"" + std::string(name) + "\""), std::string::npos) << name;
+  std::ostringstream above;
+  above << " --minimum-strength " << 1.01 * strength;
+  EXPECT_EQ(spider(run + vtp + above.str()).json()["ridges"]["lines"], 0);
+  EXPECT_EQ(spider(run + vtp + " --minimum-sharpness 100").json()["ridges"]["lines"], 0);
+}
+
 TEST(Tool_program, smooths)
 {
   const std::string off = path("smooth.off");
@@ -273,6 +425,31 @@ TEST(Tool_program, smooths)
   EXPECT_GT(greatest, 0.01);
   const auto kept = spider(cube_file() + " -q --json --smooth 3 --feature-angle 40");
   EXPECT_LT(kept.json()["smoothing"]["greatest_displacement"], 1e-12);
+}
+
+TEST(Tool_program, keeps_constrained_vertices_while_smoothing)
+{
+  const std::string off = path("constrained.off");
+  const auto outcome = spider(cube_file() + " -q --json --smooth 3 --constrained-vertices " +
+                              written("vertices.txt", "0 5\n17") + " --mesh-output " + off);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const Mesh cube = tool::read_mesh(cube_file()), smooth = tool::read_mesh(off);
+  for(std::size_t v : {0, 5, 17}) // on an edge of the cube, where the others move
+    EXPECT_EQ(smooth.point(Vertex(v)), cube.point(Vertex(v))) << v;
+  EXPECT_GT(CGAL::squared_distance(smooth.point(Vertex(1)), cube.point(Vertex(1))), 1e-6);
+}
+
+TEST(Tool_program, smooths_by_rings_as_told)
+{
+  const auto displacement = [](const std::string& options) {
+    const auto outcome = spider(cube_file() + " -q --json --smooth 2 " + options);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return outcome.json()["smoothing"]["mean_displacement"].get<double>();
+  };
+  const double plain = displacement("");
+  EXPECT_EQ(plain, displacement("--smoothing-directions 16 --smoothing-limb-measure arc_length"));
+  EXPECT_NE(plain, displacement("--smoothing-directions 4"));
+  EXPECT_NE(plain, displacement("--smoothing-limb-measure tangential_distance"));
 }
 
 TEST(Tool_program, is_quiet_if_asked)
@@ -305,6 +482,17 @@ TEST(Tool_program, says_one_line_about_what_is_wrong)
     {sphere + " --smooth 3 --smoothing-factor 2", 2, "smoothing_factor is 2"},
     {sphere + " --labels --flatness-threshold -1", 2, "flatness_threshold is -1"},
     {sphere + " --growth-costs " + written("one.txt", "1"), 2, "give one for each"},
+    {sphere + " --growth-costs " + path("no-such-file.txt"), 2, "can't be opened"},
+    {sphere + " --vertex-normals", 1, "has no normals of vertices"},
+    {sphere + " --radius-by-vertex " + written("one.txt", "1"), 2, "1 numbers for a mesh of 2562 vertices"},
+    {sphere + " --radius-by-vertex " + written("one.txt", "1") + " --suggest-radius", 2, "excludes"},
+    {sphere + " --constrained-edges " + written("three.txt", "0 1 2"), 2, "odd number of vertices"},
+    {sphere + " --constrained-edges " + written("loop.txt", "0 0"), 2, "the vertices 0 and 0 have no edge"},
+    {sphere + " --smooth 1 --constrained-vertices " + written("far.txt", "2562"), 2, "2562 is no vertex"},
+    {sphere + " --smooth 1 --smoothing-directions 3", 2, "number_of_directions is 3"},
+    {sphere + " --minimum-strength 2", 2, "--ridges"},
+    {sphere + " --ridges " + path("x.ply"), 2, "ends in .vtp or .obj"},
+    {sphere + " --ridges " + path("x.vtp") + " --minimum-strength -2", 2, "minimum_strength is -2"},
     {sphere + " --output " + path("x.xyz"), 2, "ends in .ply, .vtp or .csv"},
     {sphere + " --output " + path("no-such-folder/x.ply"), 3, "can't be written"},
     {sphere + " --picture " + path("no-such-folder/x.png"), 3, "can't be written"}};

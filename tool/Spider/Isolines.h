@@ -5,12 +5,12 @@
 #ifndef CGAL_SPIDER_TOOL_ISOLINES_H
 #define CGAL_SPIDER_TOOL_ISOLINES_H
 
+#include "Polylines.h"
 #include "Settings.h"
 #include "tool_types.h"
 
 #include <CGAL/Spider/Isoline_3.h>
 
-#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -26,15 +26,11 @@ struct Isolines
   double length() const;
 };
 
-std::vector<Isolines> extract(const Mesh& mesh, const std::vector<Estimate>& estimates,
-                              const std::vector<Isoline_request>& requests);
+std::vector<Isolines> find_isolines(const Mesh& mesh, const std::vector<Estimate>& estimates,
+                                    const std::vector<Isoline_request>& requests);
 
-// tells whether write_isolines() knows the ending of a file's name.
-bool is_isolines_file(const std::string& file);
-
-// writes lines as OBJ, a group for each request, or VTP, with field and value of each line as cell data; throws
-// File_error if it can't.
-void write_isolines(const std::string& file, const std::vector<Isolines>& isolines);
+// returns the lines for a file: a group for each request, and the value and the request's number of each line.
+Polylines polylines(const std::vector<Isolines>& isolines);
 
 } // namespace tool
 } // namespace Spider

@@ -120,6 +120,25 @@ std::vector<std::size_t> count_labels(const Labels& labels)
   return counts;
 }
 
+struct Ridge_totals
+{
+  std::size_t lines = 0;
+  double length = 0, strength = 0; // of all lines together
+};
+
+Ridge_totals totals(const std::vector<Ridge>& ridges, Ridge_kind kind)
+{
+  Ridge_totals sum;
+  for(const Ridge& line : ridges)
+    if(line.kind == kind)
+    {
+      ++sum.lines;
+      sum.length += length(line.points);
+      sum.strength += line.strength;
+    }
+  return sum;
+}
+
 void print_uses(std::ostream& out, const Report& report)
 {
   for(const Labels& labels : report.labels)
@@ -134,6 +153,13 @@ void print_uses(std::ostream& out, const Report& report)
     out << "\n"
         << isolines.request.field << " = " << isolines.request.value << " along " << isolines.lines.size()
         << " lines of length " << isolines.length() << " in all\n";
+  if(report.ridges)
+  {
+    const Ridge_totals ridges = totals(*report.ridges, ridge), valleys = totals(*report.ridges, valley);
+    out << '\n'
+        << ridges.lines << " ridges of length " << ridges.length << " in all, " << valleys.lines
+        << " valleys of length " << valleys.length << '\n';
+  }
 }
 
 void print_mesh(std::ostream& out, const Report& report)
@@ -188,6 +214,11 @@ nlohmann::json to_json(const Labels& labels)
     result[name.str()] = counts[label];
   }
   return result;
+}
+
+nlohmann::json to_json(const Ridge_totals& totals)
+{
+  return {{"lines", totals.lines}, {"length", totals.length}, {"strength", totals.strength}};
 }
 
 nlohmann::json to_json(const Comparison& comparison)
@@ -254,6 +285,11 @@ nlohmann::json to_json(const Report& report)
                                   {"value", isolines.request.value},
                                   {"lines", isolines.lines.size()},
                                   {"length", isolines.length()}});
+  if(report.ridges)
+  {
+    result["ridges"] = to_json(totals(*report.ridges, ridge));
+    result["valleys"] = to_json(totals(*report.ridges, valley));
+  }
   return result;
 }
 

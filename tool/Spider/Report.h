@@ -7,6 +7,7 @@
 
 #include "Isolines.h"
 #include "Jet_estimator.h"
+#include "Ridges.h"
 #include "Vertex_table.h"
 #include "smooth.h"
 
@@ -30,10 +31,11 @@ struct Report
   std::size_t feature_edges;
   std::optional<Smoothing_result<double>> smoothing;
   std::vector<Radius> radii;
-  std::vector<Run<Estimate>> runs;       // one for each radius
-  std::optional<Run<Jet_estimate>> jets; // of the first radius
-  std::vector<Labels> labels;            // one for each radius, or none
-  std::vector<Isolines> isolines;        // of the first radius
+  std::vector<Run<Estimate>> runs;          // one for each radius
+  std::optional<Run<Jet_estimate>> jets;    // of the first radius
+  std::vector<Labels> labels;               // one for each radius, or none
+  std::vector<Isolines> isolines;           // of the first radius
+  std::optional<std::vector<Ridge>> ridges; // of the first radius
   std::vector<std::string> written_files;
 };
 

@@ -15,10 +15,12 @@ namespace CGAL {
 namespace Spider {
 namespace tool {
 
-// The named parameters of estimation that are plain values; what isn't given is left to the library's defaults.
+// The named parameters of estimation that are plain values, or in the mesh file; what isn't given is left to the
+// library's defaults.
 struct Estimation_settings
 {
   bool as_published = false;
+  bool uses_vertex_normals = false; // those of the mesh file
   std::optional<Estimator> estimator;
   std::optional<Limb_measure> limb_measure;
   std::optional<First_normal> first_normal;
@@ -27,10 +29,12 @@ struct Estimation_settings
   std::optional<double> resampling_step, convergence_angle, minimum_crossing_angle;
 };
 
-// How far limbs grow: lengths, multiples of the mean edge length, or what the library suggests.
+// How far limbs grow: lengths, multiples of the mean edge length, a length for each vertex, or what the library
+// suggests.
 struct Radius_settings
 {
   std::vector<double> lengths, in_edges;
+  std::string by_vertex; // a file
   bool is_suggested = false;
   bool is_suggested_by_vertex = false;
 };
@@ -39,6 +43,9 @@ struct Smoothing_settings
 {
   std::optional<long long> rounds; // none: no smoothing
   std::optional<double> radius, factor, convergence_displacement;
+  std::optional<long long> number_of_directions;
+  Limb_measure limb_measure = arc_length;
+  std::string constrained_vertices; // a file
   Ring_weight ring_weight = by_limb;
   Line_motion line_motion = fixed_lines;
   bool keeps_volume = true;
@@ -49,6 +56,12 @@ struct Isoline_request
 {
   std::string field;
   double value;
+};
+
+struct Ridge_settings
+{
+  std::string file; // none: no ridges
+  std::optional<double> minimum_strength, minimum_sharpness;
 };
 
 struct Picture_settings
@@ -65,7 +78,7 @@ struct Settings
   Radius_settings radius;
   Estimation_settings estimation;
   std::optional<double> feature_angle;
-  std::string growth_costs; // a file
+  std::string constrained_edges, growth_costs; // files
   Smoothing_settings smoothing;
 
   std::string output, mesh_output, isolines_output = "isolines.vtp";
@@ -73,6 +86,7 @@ struct Settings
   bool labels = false;
   std::optional<double> flatness_threshold;
   std::vector<Isoline_request> isolines;
+  Ridge_settings ridges;
   Picture_settings picture;
 
   bool compares_with_jets = false;

@@ -5,6 +5,7 @@
 #include "command_line.h"
 
 #include "fields.h"
+#include "help_texts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,40 +18,6 @@ namespace Spider {
 namespace tool {
 
 namespace {
-
-const char* const description =
-  R"(Curvature of a triangle mesh, at every vertex, by the spider operator.
-
-From each vertex, lines walk over the surface in all directions until they are as long as the geodesic radius, and
-curvature is fitted to what they meet. So the radius is the one choice that matters: it is the size of the smallest
-detail that you want to see, and it must be large enough for noise to average out. Begin with --suggest-radius.
-
-Curvature is positive where the surface bends away from its outer side: a ball of radius R has H = 1/R. Its unit is one
-over the mesh's unit of length. H is the mean of the principal curvatures k_min and k_max, K their product.)";
-
-const char* const examples =
-  R"(Examples:
-  spider scan.stl --suggest-radius --output scan.ply
-      estimates at a radius that suits the scan and its noise; MeshLab, ParaView and Blender show the file in colour
-  spider scan.stl --geodesic-radius 0.5 --output scan.csv
-      one line per vertex, for a spreadsheet or for Python
-  spider scan.ply --radius-in-edges 2,4,8 --output scan.vtp
-      three radii, in mean edge lengths: H_r2a, H_r4a and H_r8a
-  spider part.off --feature-angle 40 --output part.vtp --picture part.png
-      patches apart at edges that turn by more than 40 degrees, and a picture
-  spider head.obj --labels --isolines H=0,k_max=0.2 --isolines-output lines.obj --output head.ply
-      convex, concave, flat and saddle vertices, and two kinds of lines
-  spider noisy.off --smooth 10 --mesh-output smooth.off
-      noise off the mesh itself
-  spider scan.stl --json --quiet | jq '.runs[0].H.median'
-      for scripts
-
-Exit status:
-  0  all went well
-  1  the mesh can't be read, or isn't one that has curvature: what is wrong is said in one line
-  2  wrong usage: an unknown option, or a value out of its range
-  3  a file can't be written, or a picture can't be rendered
-  4  anything else)";
 
 // Names an option and its values; which others it excludes or needs would drown that.
 class Short_formatter : public CLI::Formatter
@@ -118,7 +85,12 @@ void add_radius_options(CLI::App& app, Radius_settings& radius)
                                  "The radius at which noise and blurring are in balance on this mesh");
   auto* by_vertex = app.add_flag("--suggest-radius-by-vertex", radius.is_suggested_by_vertex,
                                  "The same for each vertex, by how dense vertices are around it");
-  const std::vector<CLI::Option*> all = {lengths, in_edges, suggested, by_vertex};
+  auto* of_file = app
+                    .add_option("--radius-by-vertex", radius.by_vertex,
+                                "A text file with a length for each vertex, or a CSV file with a\ncolumn radius, as "
+                                "--output writes it")
+                    ->type_name("FILE");
+  const std::vector<CLI::Option*> all = {lengths, in_edges, suggested, by_vertex, of_file};
   for(auto* option : all)
   {
     option->group("Radius (one of)");
@@ -170,8 +142,11 @@ void add_estimation_options(CLI::App& app, Estimation_settings& estimation)
     app, "--first-normal", estimation.first_normal,
     {{"incident_faces", incident_faces}, {"neighbourhood", neighbourhood}, {"sphere_section", sphere_section}},
     "Of the first round: from the faces around the vertex, from a\nneighbourhood as the radius has it (the default), "
-    "or "
-    "from the\nsection with a sphere (the paper's)")
+    "or from the\nsection with a sphere (the paper's)")
+    ->group(group);
+  app
+    .add_flag("--vertex-normals", estimation.uses_vertex_normals,
+              "The first round starts from the normals in the mesh file\ninstead: PLY (nx, ny, nz) or OFF (NOFF)")
     ->group(group);
 }
 
@@ -182,6 +157,12 @@ void add_feature_options(CLI::App& app, Settings& settings)
     .add_option("--feature-angle", settings.feature_angle,
                 "Degrees: lines don't cross edges at which faces turn by more, so\npatches are estimated apart")
     ->check(CLI::Range(0., 180.))
+    ->group(group);
+  app
+    .add_option("--constrained-edges", settings.constrained_edges,
+                "A text file with such edges, two numbers of vertices each; they\nare counted from 0, as in the mesh "
+                "file (STL: as in --mesh-output)")
+    ->type_name("FILE")
     ->group(group);
   app
     .add_option("--minimum-crossing-angle", settings.estimation.minimum_crossing_angle,
@@ -218,6 +199,15 @@ void add_smoothing_options(CLI::App& app, Smoothing_settings& smoothing)
       .add_option("--convergence-displacement", smoothing.convergence_displacement,
                   "Rounds end when no vertex moves farther [0]")
       ->type_name("LENGTH"),
+    app.add_option("--smoothing-directions", smoothing.number_of_directions,
+                   "Over a half turn, two of the ring's points each; an even number [16]"),
+    add_choice<Limb_measure>(app, "--smoothing-limb-measure", smoothing.limb_measure,
+                             {{"arc_length", arc_length}, {"tangential_distance", tangential_distance}},
+                             "What the rings' radius measures, as in --limb-measure [arc_length]"),
+    app
+      .add_option("--constrained-vertices", smoothing.constrained_vertices,
+                  "A text file with the numbers of vertices that stay, from 0")
+      ->type_name("FILE"),
     app.add_flag("--keep-volume,!--lose-volume", smoothing.keeps_volume,
                  "Whether a closed mesh keeps what it encloses (the default)")};
   rounds->group(group);
@@ -277,6 +267,21 @@ void add_output_options(CLI::App& app, Settings& settings)
     ->group(group);
 }
 
+void add_ridge_options(CLI::App& app, Ridge_settings& ridges)
+{
+  const std::string group = "Output";
+  auto* file = app.add_option("--ridges", ridges.file,
+                              "Ridges and valleys, along which the surface bends most across\nthe line: VTP, with "
+                              "kind, strength and sharpness of each, or OBJ");
+  file->type_name("FILE")->group(group);
+  for(auto* option : {app.add_option("--minimum-strength", ridges.minimum_strength,
+                                     "Leaves out lines that are shorter, in units of the radius of\ncurvature [1]"),
+                      app.add_option("--minimum-sharpness", ridges.minimum_sharpness,
+                                     "Leaves out lines of which more than 1 - SHARPNESS / 2 of the\ncurvature is left "
+                                     "at a distance of its radius [0.5]")})
+    option->needs(file)->type_name("NUMBER")->group(group);
+}
+
 void add_picture_options(CLI::App& app, Picture_settings& picture)
 {
   const std::string group = "Picture";
@@ -307,6 +312,7 @@ void describe_command_line(CLI::App& app, Settings& settings)
   app.add_option("mesh", settings.mesh, "An OFF, OBJ, PLY or STL file. Polygons are triangulated")->required();
   add_radius_options(app, settings.radius);
   add_output_options(app, settings);
+  add_ridge_options(app, settings.ridges);
   add_picture_options(app, settings.picture);
   add_feature_options(app, settings);
   add_estimation_options(app, settings.estimation);

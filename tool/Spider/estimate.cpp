@@ -5,17 +5,16 @@
 #include "estimate.h"
 
 #include "for_each_vertex.h"
+#include "read_numbers.h"
 #include "with_parameters.h"
 
-#include <CGAL/Polygon_mesh_processing/detect_features.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Real_timer.h>
 #include <CGAL/Spider/Curvature_estimator.h>
 #include <CGAL/Spider/suggest_geodesic_radius.h>
 
-#include <algorithm>
-#include <cstdlib>
-#include <fstream>
+#include <boost/algorithm/string/predicate.hpp>
+
 #include <set>
 #include <sstream>
 
@@ -24,23 +23,6 @@ namespace Spider {
 namespace tool {
 
 namespace {
-
-std::vector<double> read_growth_costs(const std::string& file, std::size_t number_of_faces)
-{
-  std::ifstream in(file);
-  std::vector<double> costs;
-  for(std::string word; in >> word;) // a stream's own numbers don't include infinity
-  {
-    char* end;
-    costs.push_back(std::strtod(word.c_str(), &end));
-    if(*end != '\0')
-      throw std::invalid_argument(file + ": " + word + " is no number");
-  }
-  if(costs.size() != number_of_faces)
-    throw std::invalid_argument(file + ": has " + std::to_string(costs.size()) + " numbers for a mesh of " +
-                                std::to_string(number_of_faces) + " triangles: give one for each");
-  return costs;
-}
 
 std::string short_number(double value)
 {
@@ -54,6 +36,15 @@ Radius constant_radius(const std::string& name, const Mesh& mesh, double length)
   return {name, std::vector<double>(mesh.num_vertices(), length)};
 }
 
+// The column radius of a CSV file, as --output writes one, or the numbers of a text file.
+Radius radius_of_file(const std::string& file, const Mesh& mesh)
+{
+  Radius radius{"by_vertex",
+                boost::algorithm::iends_with(file, ".csv") ? read_column(file, "radius") : read_numbers(file)};
+  check_count(file, radius.of_vertex, mesh.num_vertices(), "vertices");
+  return radius;
+}
+
 // Files tell columns apart by them.
 void check_names(const std::vector<Radius>& radii)
 {
@@ -63,29 +54,31 @@ void check_names(const std::vector<Radius>& radii)
       throw std::invalid_argument("the radius " + radius.name + " is given twice: give each once");
 }
 
-Radius suggested_radius(const Mesh& mesh, const Settings& settings, const Growth_limits& limits)
+Radius suggested_radius(const Mesh& mesh, const Settings& settings, const Mesh_attributes& attributes)
 {
   const std::vector<double> unused(mesh.num_vertices(), 1);
   if(!settings.radius.is_suggested_by_vertex)
-    return constant_radius("suggested", mesh, with_parameters(unused, settings.estimation, limits, [&](const auto& np) {
-                             return suggest_geodesic_radius(mesh, np);
-                           }));
+    return constant_radius("suggested", mesh,
+                           with_parameters(unused, settings.estimation, attributes,
+                                           [&](const auto& np) { return suggest_geodesic_radius(mesh, np); }));
   Radius radius{"suggested", std::vector<double>(mesh.num_vertices())};
-  with_parameters(unused, settings.estimation, limits, [&](const auto& np) {
+  with_parameters(unused, settings.estimation, attributes, [&](const auto& np) {
     suggest_geodesic_radii<CGAL::Parallel_if_available_tag>(mesh, Array_map<Vertex, double>{radius.of_vertex.data()},
                                                             np);
   });
   return radius;
 }
 
-Run<Estimate> estimate(const Mesh& mesh, const Radius& radius, const Settings& settings, const Growth_limits& limits)
+Run<Estimate> estimate(const Mesh& mesh, const Radius& radius, const Settings& settings,
+                       const Mesh_attributes& attributes)
 {
-  return with_parameters(radius.of_vertex, settings.estimation, limits, [&](const auto& np) {
+  return with_parameters(radius.of_vertex, settings.estimation, attributes, [&](const auto& np) {
     Run<Estimate> run{std::vector<Estimate>(mesh.num_vertices()), 0};
     CGAL::Real_timer preparation;
     preparation.start();
     const Curvature_estimator estimator(mesh, np, CGAL::Parallel_if_available_tag());
-    const std::vector<Vertex> vertices = estimator.template vertices_in_spatial_order<CGAL::Parallel_if_available_tag>();
+    const std::vector<Vertex> vertices =
+      estimator.template vertices_in_spatial_order<CGAL::Parallel_if_available_tag>();
     run.seconds = preparation.time();
     run.seconds += for_each_vertex(vertices, settings.is_quiet ? "" : "Spider, radius " + radius.name, [&] {
       return [&, worker = estimator.worker()](Vertex v) mutable { run.answers[v] = worker(v); };
@@ -96,20 +89,6 @@ Run<Estimate> estimate(const Mesh& mesh, const Radius& radius, const Settings& s
 
 } // namespace
 
-std::size_t Growth_limits::number_of_features() const { return std::count(is_feature.begin(), is_feature.end(), true); }
-
-Growth_limits growth_limits(const Mesh& mesh, const Settings& settings)
-{
-  Growth_limits limits;
-  limits.is_feature.assign(mesh.num_edges(), false);
-  if(settings.feature_angle)
-    CGAL::Polygon_mesh_processing::detect_sharp_edges(mesh, *settings.feature_angle,
-                                                      Array_map<Mesh::Edge_index, char>{limits.is_feature.data()});
-  if(!settings.growth_costs.empty())
-    limits.costs = read_growth_costs(settings.growth_costs, mesh.number_of_faces());
-  return limits;
-}
-
 double mean_edge_length(const Mesh& mesh)
 {
   double sum = 0;
@@ -118,7 +97,7 @@ double mean_edge_length(const Mesh& mesh)
   return sum / mesh.number_of_edges();
 }
 
-std::vector<Radius> choose_radii(const Mesh& mesh, const Settings& settings, const Growth_limits& limits)
+std::vector<Radius> choose_radii(const Mesh& mesh, const Settings& settings, const Mesh_attributes& attributes)
 {
   constexpr double default_radius_in_edges = 4; // Spider's own
   const double edge_length = mean_edge_length(mesh);
@@ -126,7 +105,9 @@ std::vector<Radius> choose_radii(const Mesh& mesh, const Settings& settings, con
 
   std::vector<Radius> radii;
   if(given.is_suggested || given.is_suggested_by_vertex)
-    radii.push_back(suggested_radius(mesh, settings, limits));
+    radii.push_back(suggested_radius(mesh, settings, attributes));
+  if(!given.by_vertex.empty())
+    radii.push_back(radius_of_file(given.by_vertex, mesh));
   for(double length : given.lengths)
     radii.push_back(constant_radius(short_number(length), mesh, length));
   for(double in_edges : given.in_edges)
@@ -139,11 +120,11 @@ std::vector<Radius> choose_radii(const Mesh& mesh, const Settings& settings, con
 }
 
 std::vector<Run<Estimate>> estimate(const Mesh& mesh, const std::vector<Radius>& radii, const Settings& settings,
-                                    const Growth_limits& limits)
+                                    const Mesh_attributes& attributes)
 {
   std::vector<Run<Estimate>> runs;
   for(const Radius& radius : radii) // each grows spiders of its own
-    runs.push_back(estimate(mesh, radius, settings, limits));
+    runs.push_back(estimate(mesh, radius, settings, attributes));
   return runs;
 }
 

@@ -5,6 +5,7 @@
 #ifndef CGAL_SPIDER_TOOL_ESTIMATE_H
 #define CGAL_SPIDER_TOOL_ESTIMATE_H
 
+#include "Mesh_attributes.h"
 #include "Settings.h"
 #include "tool_types.h"
 
@@ -15,33 +16,21 @@ namespace CGAL {
 namespace Spider {
 namespace tool {
 
-// What stops limbs or slows them down.
-struct Growth_limits
-{
-  std::vector<char> is_feature; // per edge
-  std::vector<double> costs;    // per face; none if nothing is said of them
-
-  std::size_t number_of_features() const;
-};
-
-// finds the features and reads the costs that the settings ask for.
-Growth_limits growth_limits(const Mesh& mesh, const Settings& settings);
-
 // How far limbs grow from each vertex.
 struct Radius
 {
   std::string name;              // a number for people, and what tells several radii's columns apart
-  std::vector<double> of_vertex; // all the same but where they are suggested by vertex
+  std::vector<double> of_vertex; // all the same unless they are given or suggested by vertex
 };
 
 double mean_edge_length(const Mesh& mesh);
 
 // returns the radii that the settings ask for, one at least; std::invalid_argument as the library has it.
-std::vector<Radius> choose_radii(const Mesh& mesh, const Settings& settings, const Growth_limits& limits);
+std::vector<Radius> choose_radii(const Mesh& mesh, const Settings& settings, const Mesh_attributes& attributes);
 
 // estimates at all vertices with each of the radii.
 std::vector<Run<Estimate>> estimate(const Mesh& mesh, const std::vector<Radius>& radii, const Settings& settings,
-                                    const Growth_limits& limits);
+                                    const Mesh_attributes& attributes);
 
 } // namespace tool
 } // namespace Spider

@@ -5,13 +5,18 @@
 #include "read_mesh.h"
 
 #include <CGAL/IO/polygon_soup_io.h>
+#include <CGAL/IO/read_ply_points.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 
+#include <boost/algorithm/string/predicate.hpp>
+
 #include <algorithm>
 #include <fstream>
+#include <iterator>
+#include <map>
 #include <set>
 #include <utility>
 #include <vector>
@@ -78,6 +83,31 @@ void make_manifold(Polygon_soup& soup, const std::string& file)
                               "or can't be turned to agree");
 }
 
+using Point_with_normal = std::pair<Kernel::Point_3, Kernel::Vector_3>;
+
+std::vector<Point_with_normal> read_normals_of_off(std::istream& in)
+{
+  Polygon_soup soup;
+  std::vector<Kernel::Vector_3> normals;
+  CGAL::IO::read_OFF(in, soup.points, soup.polygons,
+                     CGAL::parameters::vertex_normal_output_iterator(std::back_inserter(normals)).verbose(false));
+  std::vector<Point_with_normal> result;
+  for(std::size_t i = 0; i < normals.size(); ++i)
+    result.emplace_back(soup.points[i], normals[i]);
+  return result;
+}
+
+// What the file doesn't have CGAL makes zero.
+std::vector<Point_with_normal> read_normals_of_ply(std::istream& in)
+{
+  std::vector<Point_with_normal> result;
+  CGAL::IO::read_PLY<Point_with_normal>(
+    in, std::back_inserter(result),
+    CGAL::parameters::point_map(CGAL::First_of_pair_property_map<Point_with_normal>())
+      .normal_map(CGAL::Second_of_pair_property_map<Point_with_normal>()));
+  return result;
+}
+
 } // namespace
 
 Mesh read_mesh(const std::string& file)
@@ -93,6 +123,24 @@ Mesh read_mesh(const std::string& file)
   if(!CGAL::is_triangle_mesh(mesh) && !PMP::triangulate_faces(mesh))
     throw Unusable_mesh(file, "has a polygon that can't be triangulated");
   return mesh;
+}
+
+// Repair may have renumbered the vertices, but left them where they were; where points became one, so do their normals.
+std::vector<Kernel::Vector_3> read_vertex_normals(const std::string& file, const Mesh& mesh)
+{
+  std::ifstream in(file, std::ios::binary);
+  const bool is_off = boost::algorithm::iends_with(file, ".off"), is_ply = boost::algorithm::iends_with(file, ".ply");
+  std::map<Kernel::Point_3, Kernel::Vector_3> normal_at;
+  if(is_off || is_ply)
+    for(const auto& [point, normal] : is_off ? read_normals_of_off(in) : read_normals_of_ply(in))
+      if(const auto [there, is_new] = normal_at.emplace(point, normal); !is_new)
+        there->second = there->second + normal;
+  if(std::all_of(normal_at.begin(), normal_at.end(), [](const auto& at) { return at.second == CGAL::NULL_VECTOR; }))
+    throw Unusable_mesh(file, "has no normals of vertices (PLY files have them as nx, ny, nz, OFF files as NOFF)");
+  std::vector<Kernel::Vector_3> normals;
+  for(Vertex v : mesh.vertices())
+    normals.push_back(normal_at.at(mesh.point(v)));
+  return normals;
 }
 
 } // namespace tool

@@ -8,6 +8,7 @@
 #include "tool_types.h"
 
 #include <string>
+#include <vector>
 
 namespace CGAL {
 namespace Spider {
@@ -22,6 +23,10 @@ public:
 
 // returns the mesh in an OFF, OBJ, PLY or STL file, its polygons triangulated; throws Unusable_mesh if there is none.
 Mesh read_mesh(const std::string& file);
+
+// returns the normals that a PLY or OFF file gives its points, for the vertices of the mesh that was read from it;
+// Unusable_mesh if there are none.
+std::vector<Kernel::Vector_3> read_vertex_normals(const std::string& file, const Mesh& mesh);
 
 } // namespace tool
 } // namespace Spider

@@ -14,7 +14,7 @@ namespace Spider {
 namespace tool {
 
 // smooths the mesh as the settings say, which must ask for rounds; std::invalid_argument as the library has it.
-Smoothing_result<double> smooth(Mesh& mesh, const Smoothing_settings& settings, const Growth_limits& limits);
+Smoothing_result<double> smooth(Mesh& mesh, const Smoothing_settings& settings, const Mesh_attributes& attributes);
 
 } // namespace tool
 } // namespace Spider

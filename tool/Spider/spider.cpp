@@ -36,9 +36,10 @@ void check_file_names(const tool::Settings& settings)
 {
   if(!settings.output.empty() && !tool::is_table_file(settings.output))
     throw std::invalid_argument("--output is " + settings.output + ": give a name that ends in .ply, .vtp or .csv");
-  if(!tool::is_isolines_file(settings.isolines_output))
-    throw std::invalid_argument("--isolines-output is " + settings.isolines_output +
-                                ": give a name that ends in .vtp or .obj");
+  for(const auto& [option, file] :
+      {std::pair("--isolines-output is ", settings.isolines_output), std::pair("--ridges is ", settings.ridges.file)})
+    if(!file.empty() && !tool::is_polylines_file(file))
+      throw std::invalid_argument(option + file + ": give a name that ends in .vtp or .obj");
 }
 
 Mesh read_mesh(const std::string& file)
@@ -106,8 +107,13 @@ void write_files(const Mesh& mesh, const tool::Settings& settings, tool::Report&
   }
   if(!settings.isolines.empty())
   {
-    tool::write_isolines(settings.isolines_output, report.isolines);
+    tool::write_polylines(settings.isolines_output, tool::polylines(report.isolines));
     report.written_files.push_back(settings.isolines_output);
+  }
+  if(report.ridges)
+  {
+    tool::write_polylines(settings.ridges.file, tool::polylines(*report.ridges));
+    report.written_files.push_back(settings.ridges.file);
   }
   if(!settings.picture.file.empty())
   {
@@ -129,20 +135,23 @@ void run(const tool::Settings& settings)
   report.vertices = mesh.number_of_vertices();
   report.faces = mesh.number_of_faces();
 
-  const tool::Growth_limits limits = tool::growth_limits(mesh, settings);
-  report.feature_edges = limits.number_of_features();
+  const tool::Mesh_attributes attributes = tool::mesh_attributes(mesh, settings);
+  report.feature_edges = attributes.number_of_features();
   if(settings.smoothing.rounds)
-    report.smoothing = tool::smooth(mesh, settings.smoothing, limits);
+    report.smoothing = tool::smooth(mesh, settings.smoothing, attributes);
   report.mean_edge_length = tool::mean_edge_length(mesh);
 
-  report.radii = tool::choose_radii(mesh, settings, limits);
-  report.runs = tool::estimate(mesh, report.radii, settings, limits);
+  report.radii = tool::choose_radii(mesh, settings, attributes);
+  report.runs = tool::estimate(mesh, report.radii, settings, attributes);
   if(settings.compares_with_jets)
     report.jets = run_jets(mesh, report.radii.front().of_vertex, settings.is_quiet);
   if(settings.labels || settings.colour_by == "label")
     for(const auto& each : report.runs)
       report.labels.push_back(classify(mesh, each, settings.flatness_threshold));
-  report.isolines = tool::extract(mesh, report.runs.front().answers, settings.isolines);
+  report.isolines = tool::find_isolines(mesh, report.runs.front().answers, settings.isolines);
+  if(!settings.ridges.file.empty())
+    report.ridges =
+      tool::find_ridges(mesh, report.runs.front().answers, report.radii.front().of_vertex, settings.ridges);
 
   write_files(mesh, settings, report);
   if(settings.is_json)

@@ -18,7 +18,7 @@ namespace tool {
 // on the radius.
 template <typename Action>
 auto with_parameters(const std::vector<double>& radius_of_vertex, const Estimation_settings& settings,
-                     const Growth_limits& limits, const Action& action)
+                     const Mesh_attributes& attributes, const Action& action)
 {
   namespace params = Spider::parameters;
 
@@ -36,13 +36,14 @@ auto with_parameters(const std::vector<double>& radius_of_vertex, const Estimati
       .minimum_crossing_angle(settings.minimum_crossing_angle.value_or(30));
 
   const auto with_cgals = [&](const auto& own) {
-    return action(own.number_of_iterations(settings.number_of_iterations.value_or(10))
-                    .edge_is_constrained_map(Array_map<Mesh::Edge_index, const char>{limits.is_feature.data()}));
+    const auto all = own.number_of_iterations(settings.number_of_iterations.value_or(10))
+                       .edge_is_constrained_map(Array_map<Mesh::Edge_index, const char>{attributes.is_feature.data()});
+    const Array_map<Vertex, const Kernel::Vector_3> normals{attributes.vertex_normals.data()};
+    return attributes.vertex_normals.empty() ? action(all) : action(all.vertex_normal_map(normals));
   };
   const auto with_costs = [&](const auto& own) {
-    return limits.costs.empty()
-             ? with_cgals(own)
-             : with_cgals(own.growth_cost_map(Array_map<Mesh::Face_index, const double>{limits.costs.data()}));
+    const Array_map<Mesh::Face_index, const double> costs{attributes.growth_costs.data()};
+    return attributes.growth_costs.empty() ? with_cgals(own) : with_cgals(own.growth_cost_map(costs));
   };
   const auto published_directions = published ? std::optional<long long>(64) : std::nullopt;
   const auto directions = settings.number_of_directions ? settings.number_of_directions : published_directions;

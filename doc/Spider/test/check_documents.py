@@ -12,8 +12,8 @@
   test/Spider/consumer. Scripts and options of CMake in blocks of sh exist.
 - Whatever looks like a call in backquotes, `f()`, is a name in the public headers, or one of CGAL's in KNOWN.
 - README.md and the manual state the headlines of doc/Spider/figures.json, and the tables say what it says.
-- Every named parameter of parameters.h is documented, every example is listed, and the program spider has the options that are
-  shown.
+- Every named parameter of parameters.h is documented and an option of the program spider, every example is listed, and the
+  program has the options that are shown.
 """
 
 import json
@@ -26,6 +26,12 @@ KNOWN = {  # names of others that the documents mention
     "edge_is_constrained_map", "interpolated_corrected_curvatures", "std::ref", "boost::make_function_property_map",
     "smooth_shape", "geom_traits",
 }
+
+OPTIONS = {  # of the program spider, where they aren't named as the parameter is: what maps give comes from files
+    "geodesic_radii": "geodesic-radius", "growth_cost_map": "growth-costs", "vertex_normal_map": "vertex-normals",
+    "edge_is_constrained_map": "constrained-edges", "vertex_is_constrained_map": "constrained-vertices",
+}
+CGALS_PARAMETERS = ("number_of_iterations", "vertex_normal_map", "edge_is_constrained_map", "vertex_is_constrained_map")
 
 errors = []
 
@@ -141,9 +147,12 @@ def check_headlines(root, data):
             complain("README.md", f"does not say what figures.json has measured: \"{data['headlines'][key]}\"")
 
 
+def own_parameters(root):
+    return set(re.findall(r"DO\((\w+)\)", (root / "include/CGAL/Spider/parameters.h").read_text()))
+
+
 def check_parameters(root):
-    header = (root / "include/CGAL/Spider/parameters.h").read_text()
-    names = set(re.findall(r"DO\((\w+)\)", header))
+    names = own_parameters(root)
     documented = set(re.findall(r"^auto (\w+)\(", (root / "doc/Spider/Named_parameters.h").read_text(), flags=re.M))
     for name in names ^ documented:
         complain("Named_parameters.h", f"{name} is in one of parameters.h and this file only")
@@ -156,8 +165,12 @@ def check_examples(root):
 
 
 def check_program(root):
-    """Options of the program spider in blocks of sh are options that it has."""
+    """Options of the program spider in blocks of sh are options that it has, and so is every parameter."""
     options = (root / "tool/Spider/command_line.cpp").read_text()
+    for name in sorted(own_parameters(root).union(CGALS_PARAMETERS)):
+        option = "--" + OPTIONS.get(name, name.replace("_", "-"))
+        if not re.search(rf'[",]{option}[",]', options):
+            complain("command_line.cpp", f"{name} is no option of the program spider: there is no {option}")
     for path in (root / "README.md", root / "doc/Spider/Spider.txt"):
         for line in re.findall(r"^spider .*$", path.read_text(), flags=re.M):
             for option in re.findall(r"\s(--[\w-]+)", line.split("#")[0]):
