@@ -409,6 +409,37 @@ TEST(Tool_program, draws_ridges)
   EXPECT_EQ(spider(run + vtp + " --minimum-sharpness 100").json()["ridges"]["lines"], 0);
 }
 
+TEST(Tool_program, draws_limbs_and_rings)
+{
+  const std::string obj = path("limbs.obj"), vtp = path("limbs.vtp");
+  const std::string run = cube_file() + " -q --geodesic-radius 0.3 --limb-measure arc_length --number-of-directions 4";
+  const Mesh mesh = tool::read_mesh(cube_file());
+  const Vertex top = *std::find_if(mesh.vertices().begin(), mesh.vertices().end(),
+                                   [&](Vertex v) { return mesh.point(v) == tool::Kernel::Point_3(0.5, 0.5, 1); });
+  const std::string limbs = " --limbs " + std::to_string(top.idx()) + " --limbs-output ";
+  ASSERT_EQ(spider(run + limbs + obj).exit_code, 0);
+  std::istringstream lines(content(obj));
+  std::map<std::string, int> count; // of lines by group
+  std::string word, group;
+  std::vector<tool::Kernel::Point_3> points;
+  while(lines >> word)
+    if(word == "g")
+      lines >> group;
+    else if(word == "l")
+      ++count[group];
+    else if(word == "v")
+    {
+      tool::Kernel::Point_3 p;
+      lines >> p;
+      points.push_back(p);
+    }
+  EXPECT_EQ(count, (std::map<std::string, int>{{"limbs", 8}, {"rings", 1}}));
+  for(std::size_t i = points.size() - 8; i < points.size(); ++i) // the ring is a circle on the cube's upper side
+    EXPECT_NEAR(CGAL::squared_distance(points[i], mesh.point(top)), 0.3 * 0.3, 1e-12);
+  ASSERT_EQ(spider(run + limbs + vtp).exit_code, 0);
+  EXPECT_NE(content(vtp).find("NumberOfLines=\"9\""), std::string::npos);
+}
+
 TEST(Tool_program, smooths)
 {
   const std::string off = path("smooth.off");
@@ -485,11 +516,16 @@ TEST(Tool_program, says_one_line_about_what_is_wrong)
     {sphere + " --growth-costs " + path("no-such-file.txt"), 2, "can't be opened"},
     {sphere + " --vertex-normals", 1, "has no normals of vertices"},
     {sphere + " --radius-by-vertex " + written("one.txt", "1"), 2, "1 numbers for a mesh of 2562 vertices"},
+    {written("triangle.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n") + " --radius-by-vertex " +
+       written("negative.txt", "1 -1 1"),
+     2, "-1 is no positive length"},
     {sphere + " --radius-by-vertex " + written("one.txt", "1") + " --suggest-radius", 2, "excludes"},
     {sphere + " --constrained-edges " + written("three.txt", "0 1 2"), 2, "odd number of vertices"},
     {sphere + " --constrained-edges " + written("loop.txt", "0 0"), 2, "the vertices 0 and 0 have no edge"},
     {sphere + " --smooth 1 --constrained-vertices " + written("far.txt", "2562"), 2, "2562 is no vertex"},
     {sphere + " --smooth 1 --smoothing-directions 3", 2, "number_of_directions is 3"},
+    {sphere + " --limbs 2562 --limbs-output " + path("x.vtp"), 2, "--limbs has 2562"},
+    {sphere + " --limbs 0 --limbs-output " + path("x.csv"), 2, "ends in .vtp or .obj"},
     {sphere + " --minimum-strength 2", 2, "--ridges"},
     {sphere + " --ridges " + path("x.ply"), 2, "ends in .vtp or .obj"},
     {sphere + " --ridges " + path("x.vtp") + " --minimum-strength -2", 2, "minimum_strength is -2"},

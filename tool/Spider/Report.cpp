@@ -230,6 +230,17 @@ nlohmann::json to_json(const Comparison& comparison)
           {"root_mean_square_curvature", comparison.unit}};
 }
 
+nlohmann::json run_to_json(const Report& report, std::size_t run, const Summary& summary)
+{
+  const auto& lengths = report.radii[run].of_vertex;
+  const auto [least, greatest] = std::minmax_element(lengths.begin(), lengths.end());
+  nlohmann::json result = to_json(summary);
+  result["radius"] = {{"name", report.radii[run].name}, {"least", *least}, {"greatest", *greatest}};
+  if(!report.labels.empty())
+    result["labels"] = to_json(report.labels[run]);
+  return result;
+}
+
 } // namespace
 
 void print(std::ostream& out, const Report& report)
@@ -266,15 +277,7 @@ nlohmann::json to_json(const Report& report)
                            {"volume_after", report.smoothing->volume_after}};
   const std::vector<Summary> summaries = summaries_of(report);
   for(std::size_t i = 0; i < report.runs.size(); ++i)
-  {
-    const auto& lengths = report.radii[i].of_vertex;
-    const auto [least, greatest] = std::minmax_element(lengths.begin(), lengths.end());
-    result["runs"].push_back(to_json(summaries[i]));
-    auto& run = result["runs"].back();
-    run["radius"] = {{"name", report.radii[i].name}, {"least", *least}, {"greatest", *greatest}};
-    if(!report.labels.empty())
-      run["labels"] = to_json(report.labels[i]);
-  }
+    result["runs"].push_back(run_to_json(report, i, summaries[i]));
   if(report.jets)
   {
     result["jets"] = to_json(summaries.back());

@@ -64,6 +64,12 @@ struct Ridge_settings
   std::optional<double> minimum_strength, minimum_sharpness;
 };
 
+struct Limb_settings
+{
+  std::vector<std::size_t> vertices; // none: no limbs
+  std::string file = "limbs.vtp";
+};
+
 struct Picture_settings
 {
   std::string file;
@@ -87,6 +93,7 @@ struct Settings
   std::optional<double> flatness_threshold;
   std::vector<Isoline_request> isolines;
   Ridge_settings ridges;
+  Limb_settings limbs;
   Picture_settings picture;
 
   bool compares_with_jets = false;

@@ -100,7 +100,7 @@ void add_radius_options(CLI::App& app, Radius_settings& radius)
   }
 }
 
-void add_estimation_options(CLI::App& app, Estimation_settings& estimation)
+void add_fit_options(CLI::App& app, Estimation_settings& estimation)
 {
   const std::string group = "Estimation";
   app
@@ -130,6 +130,11 @@ void add_estimation_options(CLI::App& app, Estimation_settings& estimation)
     .add_option("--resampling-step", estimation.resampling_step,
                 "Distance of section_fit's samples, as a share of the radius [0.1]")
     ->group(group);
+}
+
+void add_normal_options(CLI::App& app, Estimation_settings& estimation)
+{
+  const std::string group = "Estimation";
   app
     .add_option("--number-of-iterations", estimation.number_of_iterations,
                 "Most rounds in which a better normal is found [10]")
@@ -240,6 +245,11 @@ void add_output_options(CLI::App& app, Settings& settings)
               .description(""))
     ->type_name("FIELD")
     ->group(group);
+}
+
+void add_label_options(CLI::App& app, Settings& settings)
+{
+  const std::string group = "Output";
   auto* labels = app.add_flag("--labels", settings.labels,
                               "Tells vertices that are convex (0), concave (1), flat (2), saddles (3)\nor without an "
                               "estimate (4)");
@@ -249,6 +259,11 @@ void add_output_options(CLI::App& app, Settings& settings)
                 "The largest curvature that is flat [three quarters of the\nmesh's typical one]")
     ->needs(labels)
     ->group(group);
+}
+
+void add_isoline_options(CLI::App& app, Settings& settings)
+{
+  const std::string group = "Output";
   auto* isolines = app
                      .add_option_function<std::vector<std::string>>(
                        "--isolines",
@@ -274,12 +289,28 @@ void add_ridge_options(CLI::App& app, Ridge_settings& ridges)
                               "Ridges and valleys, along which the surface bends most across\nthe line: VTP, with "
                               "kind, strength and sharpness of each, or OBJ");
   file->type_name("FILE")->group(group);
-  for(auto* option : {app.add_option("--minimum-strength", ridges.minimum_strength,
-                                     "Leaves out lines that are shorter, in units of the radius of\ncurvature [1]"),
-                      app.add_option("--minimum-sharpness", ridges.minimum_sharpness,
-                                     "Leaves out lines of which more than 1 - SHARPNESS / 2 of the\ncurvature is left "
-                                     "at a distance of its radius [0.5]")})
+  for(auto* option :
+      {app.add_option("--minimum-strength", ridges.minimum_strength,
+                      "Leaves out lines that are shorter, in units of the radius of\ncurvature across them [1]"),
+       app.add_option("--minimum-sharpness", ridges.minimum_sharpness,
+                      "Leaves out lines of which more than 1 - SHARPNESS / 2 of the\ncurvature is left "
+                      "at a distance of its radius [0.5]")})
     option->needs(file)->type_name("NUMBER")->group(group);
+}
+
+void add_limb_options(CLI::App& app, Limb_settings& limbs)
+{
+  const std::string group = "Output";
+  auto* vertices = add_list(app, "--limbs", limbs.vertices,
+                            "The lines that walk from these vertices, numbers from 0 by commas,\nand the rings of "
+                            "their ends");
+  vertices->type_name("VERTEX")->group(group);
+  app
+    .add_option("--limbs-output", limbs.file,
+                "Where they go: VTP, with the length and end of each, or OBJ\n[limbs.vtp]")
+    ->needs(vertices)
+    ->type_name("FILE")
+    ->group(group);
 }
 
 void add_picture_options(CLI::App& app, Picture_settings& picture)
@@ -312,10 +343,14 @@ void describe_command_line(CLI::App& app, Settings& settings)
   app.add_option("mesh", settings.mesh, "An OFF, OBJ, PLY or STL file. Polygons are triangulated")->required();
   add_radius_options(app, settings.radius);
   add_output_options(app, settings);
+  add_label_options(app, settings);
+  add_isoline_options(app, settings);
   add_ridge_options(app, settings.ridges);
+  add_limb_options(app, settings.limbs);
   add_picture_options(app, settings.picture);
   add_feature_options(app, settings);
-  add_estimation_options(app, settings.estimation);
+  add_fit_options(app, settings.estimation);
+  add_normal_options(app, settings.estimation);
   add_smoothing_options(app, settings.smoothing);
 
   const std::string group = "Telling";

@@ -15,6 +15,7 @@
 
 #include <boost/algorithm/string/predicate.hpp>
 
+#include <cmath>
 #include <set>
 #include <sstream>
 
@@ -42,6 +43,9 @@ Radius radius_of_file(const std::string& file, const Mesh& mesh)
   Radius radius{"by_vertex",
                 boost::algorithm::iends_with(file, ".csv") ? read_column(file, "radius") : read_numbers(file)};
   check_count(file, radius.of_vertex, mesh.num_vertices(), "vertices");
+  for(double length : radius.of_vertex)
+    if(length <= 0 || std::isinf(length)) // NaN is what a suggestion leaves where there are no edges
+      throw std::invalid_argument(file + ": " + short_number(length) + " is no positive length");
   return radius;
 }
 

@@ -5,6 +5,7 @@
 // Estimates the curvature of a mesh file at every vertex and writes it to files that other programs show; --help tells
 // all that it does.
 
+#include "Limbs.h"
 #include "Report.h"
 #include "command_line.h"
 #include "for_each_vertex.h"
@@ -37,7 +38,8 @@ void check_file_names(const tool::Settings& settings)
   if(!settings.output.empty() && !tool::is_table_file(settings.output))
     throw std::invalid_argument("--output is " + settings.output + ": give a name that ends in .ply, .vtp or .csv");
   for(const auto& [option, file] :
-      {std::pair("--isolines-output is ", settings.isolines_output), std::pair("--ridges is ", settings.ridges.file)})
+      {std::pair("--isolines-output is ", settings.isolines_output), std::pair("--ridges is ", settings.ridges.file),
+       std::pair("--limbs-output is ", settings.limbs.file)})
     if(!file.empty() && !tool::is_polylines_file(file))
       throw std::invalid_argument(option + file + ": give a name that ends in .vtp or .obj");
 }
@@ -126,6 +128,15 @@ void write_files(const Mesh& mesh, const tool::Settings& settings, tool::Report&
   }
 }
 
+void write_limbs(const Mesh& mesh, const tool::Settings& settings, const tool::Mesh_attributes& attributes,
+                 tool::Report& report)
+{
+  const auto limbs =
+    tool::trace_limbs(mesh, report.runs.front().answers, report.radii.front().of_vertex, settings, attributes);
+  tool::write_polylines(settings.limbs.file, tool::polylines(limbs));
+  report.written_files.push_back(settings.limbs.file);
+}
+
 void run(const tool::Settings& settings)
 {
   check_file_names(settings);
@@ -154,6 +165,8 @@ void run(const tool::Settings& settings)
       tool::find_ridges(mesh, report.runs.front().answers, report.radii.front().of_vertex, settings.ridges);
 
   write_files(mesh, settings, report);
+  if(!settings.limbs.vertices.empty())
+    write_limbs(mesh, settings, attributes, report);
   if(settings.is_json)
     std::cout << tool::to_json(report).dump(2) << '\n';
   else if(!settings.is_quiet)
