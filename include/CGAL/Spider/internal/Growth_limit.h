@@ -10,13 +10,13 @@ namespace Spider {
 namespace internal {
 
 /// How far a limb gets when length counts as many times as the face costs that it is in: length and surcharges together
-/// are at most one radius. `Value` is a number, or several in lanes.
+/// are at most the radius, 1 unless said. `Value` is a number, or several in lanes.
 template <typename Value>
 class Growth_limit
 {
 public:
-  /// returns what the measure will say where the limb ends, should that be in this face; 1 if no face costs more
-  /// than 1.
+  /// returns what the measure will say where the limb ends, should that be in this face; the radius if no face costs
+  /// more than 1.
   const Value& limit() const { return limit_; }
 
   /// enters a face of a finite cost when the measure says `reached`.
@@ -25,11 +25,21 @@ public:
     surcharge_ = surcharge_ + (cost_ - Value(1)) * (reached - entered_at_);
     entered_at_ = reached;
     cost_ = cost;
-    limit_ = (Value(1) - surcharge_ + (cost - Value(1)) * reached) / cost; // exactly 1 as long as faces cost 1
+    find_limit();
+  }
+
+  /// has the limb end at another radius.
+  void set_radius(const Value& radius)
+  {
+    radius_ = radius;
+    find_limit();
   }
 
 private:
-  Value limit_ = Value(1), cost_ = Value(1), entered_at_ = Value(0);
+  // exactly the radius as long as faces cost 1
+  void find_limit() { limit_ = (radius_ - surcharge_ + (cost_ - Value(1)) * entered_at_) / cost_; }
+
+  Value limit_ = Value(1), radius_ = Value(1), cost_ = Value(1), entered_at_ = Value(0);
   Value surcharge_ = Value(0); ///< what all faces before this one cost beyond length
 };
 

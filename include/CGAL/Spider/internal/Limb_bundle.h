@@ -45,17 +45,22 @@ public:
     for(int l = number_of_limbs; l < number_of_lanes; ++l)
       is_limb.set(l, 0);
     growing_ = (is_limb > Values(0)) & is_near(at_.source) & is_near(at_.target);
-    closed_ = !(is_limb >= Values(0));
+    resting_ = closed_ = none();
     end_.fill(site.end_at_once);
     if(view_.has_growth_costs())
       enter_faces(growing_);
     at_.lead_to_query_point(!growing_);
   }
 
-  /// walks all limbs to their ends and calls `visit(segments)` for every step in lockstep.
+  /// walks all limbs to the given share of the radius, larger than that walked to before, or to their ends, and calls
+  /// `visit(segments)` for every step in lockstep.
   template <typename Visitor>
-  void walk(Visitor&& visit)
+  void walk(Visitor&& visit, Scalar share_of_radius = 1)
   {
+    share_of_radius_ = share_of_radius;
+    limit_.set_radius(share_of_radius);
+    growing_ = growing_ | resting_;
+    resting_ = none();
     std::size_t steps = 0, next_checkpoint = 1;
     while(growing_.any())
     {
@@ -115,12 +120,14 @@ private:
     length_ = length_ + share * step;
     height_ = larger(height_, absolute(z_));
     reached_ = select(growing_, larger(reached_, arrived), reached_);
-    const Mask is_too_long = growing_ & (length_ > Values(longest_limb_in_radii)), ended = is_last | is_too_long;
+    const Mask is_too_long = growing_ & (length_ > Values(longest_limb_in_radii * share_of_radius_));
+    const Mask ended = is_last | is_too_long;
     if(ended.any())
     {
       for(int l = 0; l < number_of_lanes; ++l)
-        end_[l] = is_last[l] && !(limit_.limit()[l] < 1) ? radius_reached : ended[l] ? slowed : end_[l];
+        end_[l] = is_last[l] && !(limit_.limit()[l] < share_of_radius_) ? radius_reached : ended[l] ? slowed : end_[l];
       growing_ = growing_ & !ended;
+      resting_ = resting_ | ended;
     }
     return segments;
   }
@@ -231,6 +238,7 @@ private:
   {
     return from + share * (to - from);
   }
+  static Mask none() { return Values(0) > Values(0); }
   static constexpr Scalar infinity() { return std::numeric_limits<Scalar>::infinity(); }
 
   const View& view_;
@@ -241,7 +249,8 @@ private:
   Values y_, z_;                     ///< where the limb is, along its direction and the normal
   Values length_, height_, reached_; ///< how long it is, how far from the tangent plane it was, and how far it came
   Growth_limit<Values> limit_;
-  Mask growing_, closed_;
+  Scalar share_of_radius_ = 1;      ///< that is walked to
+  Mask growing_, resting_, closed_; ///< limbs that have come that far rest
   std::array<Limb_end, number_of_lanes> end_;
 };
 

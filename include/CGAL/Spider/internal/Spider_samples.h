@@ -1,0 +1,170 @@
+// Copyright (c) 2026 The Spider developers.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// What the samples of a spider leave behind for `surface_fit`: sums of powers, limb by limb in lanes.
+//
+// - A sample at the distance y is weighed by y, so that every piece of area counts the same. The rim weighs more: there
+//   a sample also stands for the vertices beyond, whose noise it shares.
+// - Facets sag below the surface that they stand for. So a sample isn't compared with the height field, but with the
+//   mesh that one would get by moving the vertices onto the height field: the terms are interpolated along edges and
+//   along the limb as heights are. A mesh of an exact polynomial of the fitted degree gives that polynomial.
+
+#ifndef CGAL_SPIDER_INTERNAL_SPIDER_SAMPLES_H
+#define CGAL_SPIDER_INTERNAL_SPIDER_SAMPLES_H
+
+#include <CGAL/Spider/internal/Limb_bundle.h>
+#include <CGAL/Spider/internal/Limb_directions.h>
+#include <CGAL/Spider/internal/Limb_moments.h>
+#include <CGAL/Spider/internal/Sample_sizes.h>
+#include <CGAL/Spider/internal/Spider_fit.h>
+#include <CGAL/Spider/internal/height_field.h>
+#include <CGAL/Spider/internal/least_squares.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Spider {
+namespace internal {
+
+/// A segment at the distance y from the query point stands for an area, in proportion to y. Long ones tell more than
+/// short ones, but less than by their length, since they see the same few vertices: they count by its root. Only those
+/// that are shorter than `short_length` count by their length, lest rounding counts where a limb passes through a
+/// vertex.
+template <typename Scalar>
+Lanes<Scalar> weight_of_length(const Lanes<Scalar>& length, Scalar short_length)
+{
+  return length / square_root(length + Lanes<Scalar>(short_length));
+}
+
+/// The samples of limbs in lockstep, one in the middle of each segment, for a height field of the given degree.
+template <typename Scalar, int Degree>
+class Bundle_samples
+{
+  using Values = Lanes<Scalar>;
+  using Basis = Height_field_basis<Degree>;
+  using Moments = Limb_moments<Scalar, Degree>;
+
+public:
+  /// The curved terms and the height, at the limbs' ends.
+  using Functions = typename Moments::Functions;
+
+  /// starts without any sample, at the query point.
+  void clear(const Functions& origin)
+  {
+    moments_.clear();
+    sizes_ = {};
+    at_end_ = origin;
+  }
+
+  /// walks limbs on to a share of the radius.
+  template <typename View>
+  void add(Limb_bundle<View>& limbs, Scalar share_of_radius, Scalar short_length)
+  {
+    limbs.walk(
+      [&](const Segments<Scalar>& next) {
+        const auto source = Basis::curved_at(next.source.x, next.source.y);
+        const auto target = Basis::curved_at(next.target.x, next.target.y);
+        Functions middle;
+        for(int k = 0; k <= Basis::curved; ++k)
+        {
+          const Values crossing = k < Basis::curved ? between(source[k], target[k], next.crossing)
+                                                    : between(next.source.z, next.target.z, next.crossing);
+          middle[k] = between(at_end_[k], crossing, next.middle_share);
+          at_end_[k] = between(at_end_[k], crossing, next.share);
+        }
+        const Values weight = next.middle * weight_of_length(next.gain, short_length);
+        moments_.add(next.middle, middle, weight);
+        sizes_.add(next.middle, next.gain, weight);
+      },
+      share_of_radius);
+    end_ = limbs.end_along_direction();
+    is_complete_ = limbs.is_complete();
+  }
+
+  /// adds a sample of the weight at the ends of complete limbs, as of segments of the length.
+  void add_rim(const Values& length, const Values& weight_at_rim)
+  {
+    const Values weight = is_complete_ * weight_at_rim;
+    moments_.add(end_, at_end_, weight);
+    sizes_.add_weight(length, weight);
+  }
+
+  const Moments& moments() const { return moments_; }
+  const Sample_sizes<Scalar>& sizes() const { return sizes_; }
+
+private:
+  static Values between(const Values& from, const Values& to, const Values& share)
+  {
+    return from + share * (to - from);
+  }
+
+  Moments moments_;
+  Functions at_end_;
+  Values end_; ///< how far along their directions limbs got
+  Values is_complete_;
+  Sample_sizes<Scalar> sizes_;
+};
+
+/// All samples of a spider, bundle by bundle, up to a share of the radius in whose units they are.
+template <typename Scalar, int Degree>
+struct Spider_samples
+{
+  using Basis = Height_field_basis<Degree>;
+
+  std::vector<Bundle_samples<Scalar, Degree>> bundles;
+  Spider_extent<Scalar> extent;
+  Scalar share_of_radius = 1, short_length = 0;
+
+  /// Beyond the rim, noise is that of the samples at the rim for about an edge length: measured, as the weight at
+  /// which the variance of curvature is least, on meshes with noise of all tessellations. A spider that is smaller than
+  /// an edge doesn't know what is beyond; there the rim stands for no more than the radius.
+  void add_rim(Scalar share)
+  {
+    // On average over its directions a line crosses 2 / pi edges per length and length of edges per area (Crofton), and
+    // equilateral triangles have edges of the length 2 sqrt(3) per area and edge length.
+    constexpr Scalar segments_per_edge_length = Scalar(2.2);
+    constexpr Scalar square_of_edge_by_doubled_area = Scalar(1.1547005); // of equilateral triangles: 2 / sqrt(3)
+    const Scalar edge_length =
+      std::min(std::sqrt(square_of_edge_by_doubled_area * sizes().doubled_area()), share_of_radius);
+    const Lanes<Scalar> length(edge_length / segments_per_edge_length),
+      weight =
+        Lanes<Scalar>(share * segments_per_edge_length * share_of_radius) * weight_of_length(length, short_length);
+    for(auto& bundle : bundles)
+      bundle.add_rim(length, weight);
+  }
+
+  Sample_sizes<Scalar> sizes() const
+  {
+    Sample_sizes<Scalar> sum;
+    for(const auto& bundle : bundles)
+      sum += bundle.sizes();
+    return sum;
+  }
+
+  Normal_equations<Scalar, Basis::size> equations(const Limb_directions<Scalar>& directions) const
+  {
+    Normal_equations<Lanes<Scalar>, Basis::size> of_limbs;
+    for(std::size_t i = 0; i < bundles.size(); ++i)
+      bundles[i].moments().add_to(of_limbs, directions.cosines[i], directions.sines[i]);
+
+    Normal_equations<Scalar, Basis::size> sum;
+    for(int i = 0; i < Basis::size; ++i)
+    {
+      for(int k = 0; k <= i; ++k)
+        sum.matrix[i][k] = of_limbs.matrix[i][k].sum();
+      sum.right_side[i] = of_limbs.right_side[i].sum();
+    }
+    sum.squared_values = of_limbs.squared_values.sum();
+    return sum;
+  }
+};
+
+} // namespace internal
+} // namespace Spider
+} // namespace CGAL
+
+#endif // CGAL_SPIDER_INTERNAL_SPIDER_SAMPLES_H
