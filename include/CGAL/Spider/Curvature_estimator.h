@@ -15,6 +15,7 @@
 #include <CGAL/Spider/internal/spatial_order.h>
 
 #include <cstdint>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -47,8 +48,10 @@ public:
   /// the kernel of the answers: that of the mesh's points, or `Simple_cartesian<double>` where the number type of that
   /// kernel isn't floating-point
   using Result_traits = typename Inputs::Result_traits;
-  using Estimate = Curvature_estimate_3<Result_traits>; ///< the type of the answers
-  using Vector_3 = typename Result_traits::Vector_3;    ///< the type of normals
+  using Estimate = Curvature_estimate_3<Result_traits>; ///< the type of an estimate
+  /// the type of the answers: an estimate, or one for each of `geodesic_radii` where these are given
+  using Answer = std::conditional_t<Inputs::has_radii, std::vector<Estimate>, Estimate>;
+  using Vector_3 = typename Result_traits::Vector_3; ///< the type of normals
 
   /// reads a mesh.
   /// \tparam ConcurrencyTag `CGAL::Sequential_tag` (the default), `CGAL::Parallel_tag` or
@@ -62,16 +65,15 @@ public:
                                const NamedParameters& np = CGAL::parameters::default_values(),
                                ConcurrencyTag tag = ConcurrencyTag())
     : Curvature_estimator(tag, tmesh, Inputs(tmesh, np, surface_fit))
-  {
-  }
+  {}
 
   /// estimates as `estimate_curvature()` does.
   /// \tparam Query a model of `SpiderQuery`
   /// \param query a vertex, or a point of a face as a `CGAL::Polygon_mesh_processing::Face_location`
-  /// \return the estimate
+  /// \return the estimate, or estimates
   /// \throw std::invalid_argument if the query isn't of the mesh
   template <typename Query>
-  Estimate operator()(const Query& query) const
+  Answer operator()(const Query& query) const
   {
     return worker()(query);
   }
@@ -83,24 +85,23 @@ public:
     /// estimates as `Curvature_estimator::operator()` does.
     /// \tparam Query a model of `SpiderQuery`
     /// \param query a vertex, or a point of a face
-    /// \return the estimate
+    /// \return the estimate, or estimates
     template <typename Query>
-    Estimate operator()(const Query& query)
+    Answer operator()(const Query& query)
     {
       internal::Site<Snapshot> site = estimator_.locate(query);
       const Scalar radius = estimator_.radius_at(site);
       const Normal normal = estimator_.first_normal(site);
       site.reference = internal::continuous_reference(estimator_.mesh_, site, normal,
                                                       estimator_.options_.number_of_directions_at(radius));
-      return internal::to_result<Result_traits>(engine_(site, radius, normal));
+      return internal::estimate_at<Inputs>(site, radius, estimator_.several_radii_, normal, engine_);
     }
 
   private:
     friend class Curvature_estimator;
     explicit Worker(const Curvature_estimator& estimator)
       : estimator_(estimator), engine_(estimator.mesh_, estimator.options_)
-    {
-    }
+    {}
 
     const Curvature_estimator& estimator_;
     internal::Estimator_engine<Snapshot> engine_;
@@ -136,7 +137,7 @@ private:
   template <typename ConcurrencyTag>
   Curvature_estimator(ConcurrencyTag tag, const TriangleMesh& tmesh, const Inputs& inputs)
     : options_(inputs.options), vertices_(vertices(tmesh)), faces_(faces(tmesh)),
-      mesh_(tmesh, inputs.view, vertices_, faces_, tag)
+      mesh_(tmesh, inputs.view, vertices_, faces_, tag), several_radii_(inputs.radii)
   {
     if constexpr(Inputs::has_radius_map())
       for(std::size_t v = 0; v < vertices_.size(); ++v)
@@ -182,18 +183,17 @@ private:
 
   Normal first_normal(const internal::Site<Snapshot>& site) const
   {
-    return internal::first_normal_of(mesh_, site, radius_at(site), Inputs::has_given_normals, options_.first_normal,
-                                     [&](std::uint32_t v) -> Normal {
-                                       return normals_.empty()
-                                                ? internal::neighbourhood_normal_at_vertex(mesh_, v, radius_at_vertex(v))
-                                                : normals_[v];
-                                     });
+    return internal::first_normal_of(
+      mesh_, site, radius_at(site), Inputs::has_given_normals, options_.first_normal, [&](std::uint32_t v) -> Normal {
+        return normals_.empty() ? internal::neighbourhood_normal_at_vertex(mesh_, v, radius_at_vertex(v)) : normals_[v];
+      });
   }
 
   internal::Options<Scalar> options_;
   internal::Ranks<Vertex> vertices_;
   internal::Ranks<Face> faces_;
   Snapshot mesh_;
+  internal::Radius_list<Scalar> several_radii_;
   std::vector<Scalar> radii_;   ///< one for all, or one per vertex
   std::vector<Normal> normals_; ///< per vertex; none if they are found where they are needed
 };

@@ -25,7 +25,7 @@ limbs cross.
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \tparam QueryRange a range of vertices, or of `CGAL::Polygon_mesh_processing::Face_location`
-\tparam OutputIterator an output iterator that takes `Curvature_estimate_3`
+\tparam OutputIterator an output iterator that takes `Curvature_estimate_3`, or a `std::vector` of them with `geodesic_radii`
 \param queries the query points
 \param tmesh a triangle mesh; it is only read
 \param out takes one estimate per query, in their order

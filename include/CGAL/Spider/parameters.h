@@ -54,6 +54,7 @@ enum Line_motion
 /// Every named parameter that is Spider's own; CGAL's names follow them in a chain.
 #define CGAL_SPIDER_FOR_EACH_PARAMETER(DO) \
   DO(geodesic_radius)                      \
+  DO(geodesic_radii)                       \
   DO(number_of_directions)                 \
   DO(estimator)                            \
   DO(limb_measure)                         \

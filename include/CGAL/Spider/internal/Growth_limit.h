@@ -19,6 +19,9 @@ public:
   /// more than 1.
   const Value& limit() const { return limit_; }
 
+  /// returns the cost of this face.
+  const Value& cost() const { return cost_; }
+
   /// enters a face of a finite cost when the measure says `reached`.
   void enter(const Value& cost, const Value& reached)
   {

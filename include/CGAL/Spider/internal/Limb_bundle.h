@@ -9,6 +9,7 @@
 #ifndef CGAL_SPIDER_INTERNAL_LIMB_BUNDLE_H
 #define CGAL_SPIDER_INTERNAL_LIMB_BUNDLE_H
 
+#include <CGAL/Spider/internal/Circle_watch.h>
 #include <CGAL/Spider/internal/Growth_limit.h>
 #include <CGAL/Spider/internal/Lane_exits.h>
 #include <CGAL/Spider/internal/Lanes.h>
@@ -38,40 +39,48 @@ public:
   /// places limbs at the edges by which they leave the star, in the directions of the given cosines and sines.
   Limb_bundle(const View& view, const Site<View>& site, const Star<View>& star, const Values& cosines,
               const Values& sines, int number_of_limbs, Limb_measure measure)
-    : view_(view), local_(star.local), at_(view, site, star, cosines, sines), first_edge_(at_.edge),
-      checkpoint_(at_.edge), by_arc_length_(measure == arc_length), y_(0), z_(0), length_(0), height_(0), reached_(0)
+    : view_(view), local_(star.local), at_(view, site, star, cosines, sines), circles_(at_.edge),
+      by_arc_length_(measure == arc_length), y_(0), z_(0), length_(0), height_(0), reached_(0)
   {
     Values is_limb(1);
     for(int l = number_of_limbs; l < number_of_lanes; ++l)
       is_limb.set(l, 0);
     growing_ = (is_limb > Values(0)) & is_near(at_.source) & is_near(at_.target);
-    resting_ = closed_ = none();
+    resting_ = closed_ = !(is_limb >= Values(0));
     end_.fill(site.end_at_once);
     if(view_.has_growth_costs())
       enter_faces(growing_);
     at_.lead_to_query_point(!growing_);
   }
 
-  /// walks all limbs to the given share of the radius, larger than that walked to before, or to their ends, and calls
-  /// `visit(segments)` for every step in lockstep.
+  /// walks all limbs to the radius, or to their ends, and calls `visit(segments)` for every step in lockstep.
   template <typename Visitor>
-  void walk(Visitor&& visit, Scalar share_of_radius = 1)
+  void walk(Visitor&& visit)
   {
-    share_of_radius_ = share_of_radius;
-    limit_.set_radius(share_of_radius);
-    growing_ = growing_ | resting_;
-    resting_ = none();
-    std::size_t steps = 0, next_checkpoint = 1;
+    constexpr std::array<Scalar, 1> radius = {1};
+    walk(radius, visit, [](int, std::size_t) {});
+  }
+
+  /// walks all limbs to each of some shares of the radius, which ascend to 1, or to their ends. It calls
+  /// `visit(segments)` for every step in lockstep and, once for every limb and share, `arrive(lane, index)` where the
+  /// limb has come that far, or will come no farther.
+  template <typename Shares, typename Visitor, typename Arrival>
+  void walk(const Shares& shares, Visitor&& visit, Arrival&& arrive)
+  {
+    std::array<std::size_t, number_of_lanes> next{};
+    share_of_radius_ = Values(shares[0]);
+    limit_.set_radius(share_of_radius_);
     while(growing_.any())
     {
       visit(take_segments());
       cross_edges();
-      if(++steps == next_checkpoint) // should a walk go round in a circle, it will be back here
-      {
-        checkpoint_ = at_.edge;
-        next_checkpoint *= 2;
-      }
+      circles_.note_step(at_.edge);
+      if(some_rest_ && shares.size() > 1)
+        send_on(shares, next, arrive);
     }
+    for(int l = 0; l < number_of_lanes; ++l)
+      for(; next[l] < shares.size(); ++next[l])
+        arrive(l, next[l]);
   }
 
   Scalar reached(int lane) const { return reached_[lane]; }
@@ -80,13 +89,6 @@ public:
   bool climbs(int lane) const { return height_[lane] > reached_[lane]; }
   const Values& end_along_direction() const { return y_; }
   const Values& end_along_normal() const { return z_; }
-  Values is_complete() const
-  {
-    Values complete;
-    for(int l = 0; l < number_of_lanes; ++l)
-      complete.set(l, end_[l] == radius_reached ? 1 : 0);
-    return complete;
-  }
 
 private:
   /// Beyond, squares of what is made of coordinates would overflow.
@@ -120,16 +122,37 @@ private:
     length_ = length_ + share * step;
     height_ = larger(height_, absolute(z_));
     reached_ = select(growing_, larger(reached_, arrived), reached_);
-    const Mask is_too_long = growing_ & (length_ > Values(longest_limb_in_radii * share_of_radius_));
+    const Mask is_too_long = growing_ & (length_ > Values(longest_limb_in_radii) * share_of_radius_);
     const Mask ended = is_last | is_too_long;
     if(ended.any())
     {
       for(int l = 0; l < number_of_lanes; ++l)
-        end_[l] = is_last[l] && !(limit_.limit()[l] < share_of_radius_) ? radius_reached : ended[l] ? slowed : end_[l];
+        end_[l] = is_last[l] && !(limit_.limit()[l] < share_of_radius_[l]) ? radius_reached
+                  : ended[l]                                               ? slowed
+                                                                           : end_[l];
       growing_ = growing_ & !ended;
-      resting_ = resting_ | ended;
+      resting_ = ended;
+      some_rest_ = true;
     }
     return segments;
+  }
+
+  /// has limbs that rest where they should get for now go on to the next share of the radius, if there is one.
+  template <typename Shares, typename Arrival>
+  void send_on(const Shares& shares, std::array<std::size_t, number_of_lanes>& next, Arrival&& arrive)
+  {
+    Values goes_on(0);
+    for(int l = 0; l < number_of_lanes; ++l)
+    {
+      if(!resting_[l] || next[l] + 1 == shares.size())
+        continue;
+      arrive(l, next[l]);
+      share_of_radius_.set(l, shares[++next[l]]);
+      goes_on.set(l, 1);
+    }
+    limit_.set_radius(share_of_radius_);
+    growing_ = growing_ | (goes_on > Values(0));
+    some_rest_ = false;
   }
 
   /// crosses edges into the next faces and finds the edges by which the planes leave those.
@@ -166,10 +189,7 @@ private:
     const auto here = at_.edge;
     for(int l = 0; l < number_of_lanes; ++l)
       at_.edge[l] = takes_third[l] ? third[l] : takes_second[l] ? second[l] : here[l];
-    bool meets_again = false;
-    for(int l = 0; l < number_of_lanes; ++l)
-      meets_again |= (at_.edge[l] != here[l]) & ((at_.edge[l] == first_edge_[l]) | (at_.edge[l] == checkpoint_[l]));
-    if(meets_again)
+    if(circles_.any(at_.edge, here))
       note_circles();
     if(view_.has_growth_costs())
       enter_faces(goes_on);
@@ -178,7 +198,7 @@ private:
   /// has the next segments cost as many times their length as the faces tell, and ends limbs in faces of infinite cost.
   void enter_faces(const Mask& entering)
   {
-    Values costs(1), ends(0);
+    Values costs = limit_.cost(), ends(0);
     for(int l = 0; l < number_of_lanes; ++l)
     {
       if(!entering[l])
@@ -221,9 +241,9 @@ private:
     {
       if(!growing_[l])
         continue;
-      if(at_.edge[l] == first_edge_[l])
+      if(circles_.is_first(l, at_.edge[l]))
         closes.set(l, 1);
-      else if(at_.edge[l] == checkpoint_[l])
+      else if(circles_.is_passed(l, at_.edge[l]))
       {
         end_[l] = degenerate;
         ends.set(l, 1);
@@ -238,19 +258,19 @@ private:
   {
     return from + share * (to - from);
   }
-  static Mask none() { return Values(0) > Values(0); }
   static constexpr Scalar infinity() { return std::numeric_limits<Scalar>::infinity(); }
 
   const View& view_;
   const Local_coordinates<Scalar>& local_;
   Lane_exits<View> at_;
-  std::array<Halfedge, number_of_lanes> first_edge_, checkpoint_;
+  Circle_watch<Halfedge> circles_;
   bool by_arc_length_;
   Values y_, z_;                     ///< where the limb is, along its direction and the normal
   Values length_, height_, reached_; ///< how long it is, how far from the tangent plane it was, and how far it came
   Growth_limit<Values> limit_;
-  Scalar share_of_radius_ = 1;      ///< that is walked to
-  Mask growing_, resting_, closed_; ///< limbs that have come that far rest
+  Values share_of_radius_{1};       ///< that is walked to
+  Mask growing_, resting_, closed_; ///< a limb rests after the step that led it that far
+  bool some_rest_ = false;
   std::array<Limb_end, number_of_lanes> end_;
 };
 

@@ -10,6 +10,7 @@
 #include <CGAL/Spider/internal/least_squares.h>
 
 #include <array>
+#include <cstddef>
 
 namespace CGAL {
 namespace Spider {
@@ -69,6 +70,21 @@ public:
     }
   }
 
+  /// takes over the samples of one limb.
+  void take_lane(int lane, const Limb_moments& other)
+  {
+    const auto take = [&](auto& values, const auto& others) {
+      for(std::size_t k = 0; k < values.size(); ++k)
+        values[k].set(lane, others[k][lane]);
+    };
+    take(moments_, other.moments_);
+    for(int i = 0; i <= height; ++i)
+    {
+      take(mixed_[i], other.mixed_[i]);
+      take(products_[i], other.products_[i]);
+    }
+  }
+
   /// adds the samples of all limbs, given the cosines and sines of their directions, to the equations.
   void add_to(Normal_equations<Values, Basis::size>& equations, const Values& cosine, const Values& sine) const
   {
@@ -114,9 +130,9 @@ private:
     }
   }
 
-  std::array<Values, 6> moments_;                                    ///< of the powers 0, 1, 2, 4, 5 and 8
+  std::array<Values, 6> moments_;                                      ///< of the powers 0, 1, 2, 4, 5 and 8
   std::array<std::array<Values, number_of_powers>, height + 1> mixed_; ///< of the powers 0, 1, 4, and the functions
-  std::array<std::array<Values, height + 1>, height + 1> products_;  ///< of two functions each, a lower triangle
+  std::array<std::array<Values, height + 1>, height + 1> products_;    ///< of two functions each, a lower triangle
 };
 
 } // namespace internal

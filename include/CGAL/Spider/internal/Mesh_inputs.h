@@ -9,6 +9,7 @@
 
 #include <CGAL/Spider/internal/Graph_view.h>
 #include <CGAL/Spider/internal/Options.h>
+#include <CGAL/Spider/internal/Radius_list.h>
 #include <CGAL/Spider/internal/Site.h>
 #include <CGAL/Spider/internal/first_normal.h>
 
@@ -24,8 +25,8 @@ namespace Spider {
 namespace internal {
 
 template <typename T>
-constexpr bool is_number = !std::is_same<typename CGAL::Algebraic_structure_traits<T>::Algebraic_category,
-                                         CGAL::Null_tag>::value;
+constexpr bool is_number =
+  !std::is_same<typename CGAL::Algebraic_structure_traits<T>::Algebraic_category, CGAL::Null_tag>::value;
 
 /// throws unless all faces are triangles.
 template <typename View, typename TriangleMesh>
@@ -95,21 +96,20 @@ public:
   using Result_traits = Result_kernel<GT>;
   using Vertex_point_map = typename CGAL::GetVertexPointMap<TriangleMesh, NamedParameters>::const_type;
   template <typename Tag>
-  using Given = std::decay_t<decltype(
-    parameters::get_parameter(std::declval<const NamedParameters&>(), Tag()))>;
-  using Attributes = Growth_attributes<Given<CGAL::internal_np::edge_is_constrained_t>,
-                                       Given<Spider::internal_np::growth_cost_map_t>>;
+  using Given = std::decay_t<decltype(parameters::get_parameter(std::declval<const NamedParameters&>(), Tag()))>;
+  using Attributes =
+    Growth_attributes<Given<CGAL::internal_np::edge_is_constrained_t>, Given<Spider::internal_np::growth_cost_map_t>>;
   using View = Graph_view<TriangleMesh, Vertex_point_map, Attributes>;
   using Scalar = typename View::Scalar;
   using Vertex = typename View::Vertex;
 
   static constexpr bool has_radius = is_given<Given<Spider::internal_np::geodesic_radius_t>>;
+  static constexpr bool has_radii = is_given<Given<Spider::internal_np::geodesic_radii_t>>;
+  static_assert(!(has_radius && has_radii), "Spider: give geodesic_radius or geodesic_radii, not both");
   static constexpr bool has_given_normals = is_given<Given<CGAL::internal_np::vertex_normal_map_t>>;
 
   /// `default_estimator` is the one whose defaults hold where no estimator is named.
-  Mesh_inputs(const TriangleMesh& tmesh,
-              const NamedParameters& np,
-              Estimator default_estimator,
+  Mesh_inputs(const TriangleMesh& tmesh, const NamedParameters& np, Estimator default_estimator,
               Star_extent star_extent = patch_of_star)
     : options(read_options<Scalar>(np, default_estimator)),
       view(tmesh,
@@ -119,12 +119,12 @@ public:
                       parameters::get_parameter(np, Spider::internal_np::growth_cost_map), star_extent)),
       np_(np)
   {
-    if(!has_radius || options.number_of_directions == 0)
+    if(!(has_radius || has_radii) || options.number_of_directions == 0)
       options.mean_edge_length = mean_edge_length(view, tmesh);
     radius_ = read_radius();
   }
 
-  /// returns the geodesic radius at a vertex.
+  /// returns the geodesic radius at a vertex; if there are several radii, that of first normals.
   Scalar radius_at(Vertex v) const
   {
     const auto given = parameters::get_parameter(np_, Spider::internal_np::geodesic_radius);
@@ -137,8 +137,7 @@ public:
   /// returns the unit normal at a vertex that the caller gave by `vertex_normal_map`.
   Vec3<Scalar> given_normal_at(Vertex v) const
   {
-    return unit(
-      to_vec3<Scalar>(get(parameters::get_parameter(np_, Spider::internal_np::vertex_normal_map), v)));
+    return unit(to_vec3<Scalar>(get(parameters::get_parameter(np_, Spider::internal_np::vertex_normal_map), v)));
   }
 
   static constexpr bool has_radius_map()
@@ -149,13 +148,19 @@ public:
 
   Options<Scalar> options;
   View view;
+  Radius_list<Scalar> radii; ///< those given by `geodesic_radii`
 
 private:
-
-  Scalar read_radius() const
+  Scalar read_radius()
   {
     const auto given = parameters::get_parameter(np_, Spider::internal_np::geodesic_radius);
-    if constexpr(has_radius_map())
+    if constexpr(has_radii)
+    {
+      // Neither so small that noise turns first normals, nor so large that they are those of somewhere else.
+      radii = Radius_list<Scalar>(parameters::get_parameter(np_, Spider::internal_np::geodesic_radii));
+      return radii.ascending.front() * std::sqrt(radii.ascending.back() / radii.ascending.front());
+    }
+    else if constexpr(has_radius_map())
       return nan<Scalar>(); // each vertex has its own
     else if constexpr(is_given<decltype(given)>)
     {
@@ -177,12 +182,8 @@ private:
 /// returns the normal from which a site's spider starts. `normal_at` gives that of a vertex: the caller's own, or the
 /// neighbourhood's.
 template <typename View, typename NormalAt>
-Vec3<typename View::Scalar> first_normal_of(const View& view,
-                                            const Site<View>& site,
-                                            typename View::Scalar radius,
-                                            bool is_given_by_map,
-                                            First_normal kind,
-                                            NormalAt&& normal_at)
+Vec3<typename View::Scalar> first_normal_of(const View& view, const Site<View>& site, typename View::Scalar radius,
+                                            bool is_given_by_map, First_normal kind, NormalAt&& normal_at)
 {
   using Normal = Vec3<typename View::Scalar>;
   if(site.rim.empty())

@@ -45,6 +45,14 @@ struct Sample_sizes
     squares_by_part += square / larger(part, Values(std::numeric_limits<Scalar>::min()));
   }
 
+  void take_lane(int lane, const Sample_sizes& other)
+  {
+    parts.set(lane, other.parts[lane]);
+    cubed_lengths.set(lane, other.cubed_lengths[lane]);
+    squares.set(lane, other.squares[lane]);
+    squares_by_part.set(lane, other.squares_by_part[lane]);
+  }
+
   void operator+=(const Sample_sizes& other)
   {
     parts += other.parts;

@@ -13,7 +13,9 @@
 #include <CGAL/Spider/internal/surface_fit.h>
 
 #include <cmath>
+#include <cstddef>
 #include <variant>
+#include <vector>
 
 namespace CGAL {
 namespace Spider {
@@ -30,6 +32,8 @@ struct Estimate
   Scalar residual = nan<Scalar>();
   Scalar standard_error = nan<Scalar>(); ///< of mean curvature, where the estimator tells
   bool meets_border = false;             ///< a limb ended there
+
+  bool has_fit() const { return status == ok || status == partial; }
 };
 
 /// The spider at one point after another: limbs, fit, and again from the new normal (paper, 2.2 to 2.4). Keeps its
@@ -49,34 +53,77 @@ public:
       return estimate;
     estimate.status = insufficient;
     estimate.normal = first_normal;
-    if(!(radius > 0) || !std::isfinite(radius) || !first_normal.allFinite())
-      return estimate;
+    if(radius > 0 && std::isfinite(radius) && first_normal.allFinite())
+      iterate(site, radius, options_.number_of_iterations, estimate);
+    return estimate;
+  }
 
+  /// estimates at one point with each of several radii, in ascending order. `surface_fit` walks limbs once for all, in
+  /// the frame of the first normal. Radii for which that isn't the last round, or whose limbs climb walls, go on one by
+  /// one.
+  void operator()(const Site<View>& site, const std::vector<Scalar>& radii, const Vec3<Scalar>& first_normal,
+                  std::vector<Estimate<Scalar>>& estimates)
+  {
+    estimates.assign(radii.size(), Estimate<Scalar>());
+    if constexpr(Fit::walks_once_for_all_radii)
+      if(!site.rim.empty() && first_normal.allFinite())
+        estimate_in_one_walk(site, radii, first_normal, estimates);
+    for(std::size_t k = 0; k < radii.size(); ++k)
+    {
+      if(!estimates[k].has_fit())
+        estimates[k] = (*this)(site, radii[k], first_normal);
+      else if(!is_settled(first_normal, estimates[k].normal))
+        iterate(site, radii[k], options_.number_of_iterations - 1, estimates[k]);
+    }
+  }
+
+private:
+  /// grows spiders from the normal of an estimate, which may have a fit already, and from those that they lead to.
+  void iterate(const Site<View>& site, Scalar radius, int number_of_rounds, Estimate<Scalar>& estimate)
+  {
     Scalar reach = radius; // of this spider: less than the radius where that leads over walls
-    for(int round = 0; round < options_.number_of_iterations; ++round)
+    for(int round = 0; round < number_of_rounds; ++round)
     {
       const Spider_frame<Scalar> frame(estimate.normal, site.reference);
       Spider_extent<Scalar> extent;
       const Spider_fit<Scalar> fit = fit_within_walls(site, frame, reach, extent);
-      const Scalar coverage = extent.reached / Scalar(extent.number_of_limbs) * (reach / radius);
-      if(round == 0)
+      const Scalar coverage = extent.coverage() * (reach / radius);
+      if(!estimate.has_fit())
         estimate.coverage = coverage;
       // A spider that saw half as much must fit twice as well.
       const bool is_better = fit.residual * reach * estimate.coverage < estimate.residual * coverage;
-      if(!fit.determined || (Fit::rests_at_best_fit && !is_better && round > 0))
+      if(!fit.determined || (Fit::rests_at_best_fit && estimate.has_fit() && !is_better))
         break; // the last round's answer stays
-      estimate.coverage = coverage;
-      estimate.meets_border = extent.meets_border;
-      estimate.status = extent.is_complete && fit.is_whole && !(reach < radius) ? ok : partial;
       const Vec3<Scalar> previous = estimate.normal;
-      take(fit, frame, reach, estimate);
-      if(angle_between(previous, estimate.normal) <= options_.convergence_angle)
+      take(fit, extent, frame, reach, estimate);
+      estimate.coverage = coverage;
+      if(reach < radius)
+        estimate.status = partial;
+      if(is_settled(previous, estimate.normal))
         break;
     }
-    return estimate;
   }
 
-private:
+  /// leaves those without a fit that limbs climbing walls spoil.
+  void estimate_in_one_walk(const Site<View>& site, const std::vector<Scalar>& radii, const Vec3<Scalar>& first_normal,
+                            std::vector<Estimate<Scalar>>& estimates)
+  {
+    const Spider_frame<Scalar> frame(first_normal, site.reference);
+    fit_.grow(view_, site, frame, radii);
+    for(std::size_t k = 0; k < radii.size(); ++k)
+    {
+      const Spider_extent<Scalar>& extent = fit_.extent(k);
+      const Spider_fit<Scalar> fit = extent.is_walled_in() ? Spider_fit<Scalar>() : fit_.fit(k);
+      if(fit.determined)
+        take(fit, extent, frame, radii.back(), estimates[k]);
+    }
+  }
+
+  bool is_settled(const Vec3<Scalar>& previous, const Vec3<Scalar>& normal) const
+  {
+    return angle_between(previous, normal) <= options_.convergence_angle;
+  }
+
   /// grows a spider and fits it. Where most limbs climb walls, the surface is smaller than the reach, as a sphere may
   /// be: there the spider is grown again with half of it, and half of that.
   Spider_fit<Scalar> fit_within_walls(const Site<View>& site, const Spider_frame<Scalar>& frame, Scalar& reach,
@@ -96,8 +143,7 @@ private:
       Spider_extent<Scalar> smaller_extent;
       const Spider_fit<Scalar> smaller_fit = fit_(view_, site, frame, smaller_reach, smaller_extent);
       is_walled_in = smaller_extent.is_walled_in();
-      if(!is_walled_in && smaller_fit.determined &&
-         smaller_fit.independent_values >= fewest_values &&
+      if(!is_walled_in && smaller_fit.determined && smaller_fit.independent_values >= fewest_values &&
          !(smaller_fit.residual * smaller_reach > same_misfit * fit.residual * reach))
       {
         reach = smaller_reach;
@@ -111,16 +157,20 @@ private:
     return gets_nowhere ? Spider_fit<Scalar>() : fit;
   }
 
-  static void take(const Spider_fit<Scalar>& fit, const Spider_frame<Scalar>& frame, Scalar radius,
-                   Estimate<Scalar>& estimate)
+  /// has an estimate be that of a fit in units of the given length.
+  static void take(const Spider_fit<Scalar>& fit, const Spider_extent<Scalar>& extent,
+                   const Spider_frame<Scalar>& frame, Scalar unit_length, Estimate<Scalar>& estimate)
   {
     const auto from_frame = [&](const Vec3<Scalar>& a) -> Vec3<Scalar> {
       return a.x() * frame.tangent + a.y() * frame.bitangent + a.z() * frame.normal;
     };
-    estimate.min_curvature = fit.min_curvature / radius;
-    estimate.max_curvature = fit.max_curvature / radius;
-    estimate.residual = fit.residual * radius;
-    estimate.standard_error = fit.standard_error / radius;
+    estimate.status = extent.is_complete && fit.is_whole ? ok : partial;
+    estimate.coverage = extent.coverage();
+    estimate.meets_border = extent.meets_border;
+    estimate.min_curvature = fit.min_curvature / unit_length;
+    estimate.max_curvature = fit.max_curvature / unit_length;
+    estimate.residual = fit.residual * unit_length;
+    estimate.standard_error = fit.standard_error / unit_length;
     estimate.normal = unit<Scalar>(from_frame(fit.normal));
     estimate.min_direction = unit<Scalar>(from_frame(fit.min_direction));
     estimate.max_direction = estimate.normal.cross(estimate.min_direction);
@@ -143,6 +193,12 @@ public:
   Estimate<Scalar> operator()(const Site<View>& site, Scalar radius, const Vec3<Scalar>& first_normal)
   {
     return std::visit([&](auto& engine) { return engine(site, radius, first_normal); }, engine_);
+  }
+
+  void operator()(const Site<View>& site, const std::vector<Scalar>& radii, const Vec3<Scalar>& first_normal,
+                  std::vector<Estimate<Scalar>>& estimates)
+  {
+    std::visit([&](auto& engine) { engine(site, radii, first_normal, estimates); }, engine_);
   }
 
 private:

@@ -33,6 +33,9 @@ struct Spider_extent
     meets_border = meets_border || end == border;
   }
 
+  /// returns the share of the full spider that limbs reached.
+  Scalar coverage() const { return reached / Scalar(number_of_limbs); }
+
   /// tells whether the surface turns back before the radius on most sides. Noise makes some limbs climb, too.
   bool is_walled_in() const { return 2 * number_of_walls > number_of_limbs; }
 };

@@ -60,29 +60,38 @@ public:
     at_end_ = origin;
   }
 
-  /// walks limbs on to a share of the radius.
-  template <typename View>
-  void add(Limb_bundle<View>& limbs, Scalar share_of_radius, Scalar short_length)
+  /// adds a sample in the middle of the next segment of each limb.
+  void add(const Segments<Scalar>& next, Scalar short_length)
   {
-    limbs.walk(
-      [&](const Segments<Scalar>& next) {
-        const auto source = Basis::curved_at(next.source.x, next.source.y);
-        const auto target = Basis::curved_at(next.target.x, next.target.y);
-        Functions middle;
-        for(int k = 0; k <= Basis::curved; ++k)
-        {
-          const Values crossing = k < Basis::curved ? between(source[k], target[k], next.crossing)
-                                                    : between(next.source.z, next.target.z, next.crossing);
-          middle[k] = between(at_end_[k], crossing, next.middle_share);
-          at_end_[k] = between(at_end_[k], crossing, next.share);
-        }
-        const Values weight = next.middle * weight_of_length(next.gain, short_length);
-        moments_.add(next.middle, middle, weight);
-        sizes_.add(next.middle, next.gain, weight);
-      },
-      share_of_radius);
-    end_ = limbs.end_along_direction();
-    is_complete_ = limbs.is_complete();
+    const auto source = Basis::curved_at(next.source.x, next.source.y);
+    const auto target = Basis::curved_at(next.target.x, next.target.y);
+    Functions middle;
+    for(int k = 0; k <= Basis::curved; ++k)
+    {
+      const Values crossing = k < Basis::curved ? between(source[k], target[k], next.crossing)
+                                                : between(next.source.z, next.target.z, next.crossing);
+      middle[k] = between(at_end_[k], crossing, next.middle_share);
+      at_end_[k] = between(at_end_[k], crossing, next.share);
+    }
+    const Values weight = next.middle * weight_of_length(next.gain, short_length);
+    moments_.add(next.middle, middle, weight);
+    sizes_.add(next.middle, next.gain, weight);
+  }
+
+  /// takes over the samples of one limb, which are complete.
+  void take_lane(int lane, const Bundle_samples& other)
+  {
+    moments_.take_lane(lane, other.moments_);
+    sizes_.take_lane(lane, other.sizes_);
+    for(int k = 0; k <= Basis::curved; ++k)
+      at_end_[k].set(lane, other.at_end_[k][lane]);
+  }
+
+  /// notes where a limb ended, along its direction.
+  void end_lane(int lane, Scalar end, bool is_complete)
+  {
+    end_.set(lane, end);
+    is_complete_.set(lane, is_complete ? 1 : 0);
   }
 
   /// adds a sample of the weight at the ends of complete limbs, as of segments of the length.
@@ -118,6 +127,14 @@ struct Spider_samples
   std::vector<Bundle_samples<Scalar, Degree>> bundles;
   Spider_extent<Scalar> extent;
   Scalar share_of_radius = 1, short_length = 0;
+
+  void begin(std::size_t number_of_bundles, Scalar share, Scalar short_length_of_segments)
+  {
+    bundles.resize(number_of_bundles);
+    extent = {};
+    share_of_radius = share;
+    short_length = short_length_of_segments;
+  }
 
   /// Beyond the rim, noise is that of the samples at the rim for about an edge length: measured, as the weight at
   /// which the variance of curvature is least, on meshes with noise of all tessellations. A spider that is smaller than

@@ -181,6 +181,7 @@ class Section_fit
 
 public:
   static constexpr bool rests_at_best_fit = false; ///< but where the normal does (paper, 2.4)
+  static constexpr bool walks_once_for_all_radii = false;
 
   explicit Section_fit(const Options<Scalar>& options) : options_(options) {}
 

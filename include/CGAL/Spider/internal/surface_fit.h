@@ -46,6 +46,7 @@ public:
   /// A surface that isn't a height field, such as that around a sharp ridge, has several normals from which the next
   /// round leads elsewhere: the iteration rests when the fit doesn't get better.
   static constexpr bool rests_at_best_fit = true;
+  static constexpr bool walks_once_for_all_radii = true;
 
   explicit Surface_fit(const Options<Scalar>& options) : options_(options) {}
 
@@ -67,32 +68,21 @@ public:
     const Scalar radius = radii.back();
     directions_.set(options_.number_of_directions_at(radius));
     const std::size_t number_of_bundles = directions_.cosines.size();
+    shares_.resize(radii.size());
     samples_.resize(radii.size());
     for(std::size_t k = 0; k < radii.size(); ++k)
     {
-      samples_[k].bundles.resize(number_of_bundles);
-      samples_[k].extent = {};
-      samples_[k].share_of_radius = radii[k] / radius;
-      samples_[k].short_length = short_segment * radii.front() / radius;
+      shares_[k] = radii[k] / radius;
+      samples_[k].begin(number_of_bundles, shares_[k], short_segment * radii.front() / radius);
     }
 
     const Star<View> star(view, site, Local_coordinates<Scalar>(site.point, frame, radius));
     const Functions origin = functions_at_origin(view, site, star.local);
     for(std::size_t i = 0; i < number_of_bundles; ++i)
     {
-      const int count = directions_.limbs_in_bundle(i);
-      Limb_bundle<View> limbs(view, site, star, directions_.cosines[i], directions_.sines[i], count,
-                              options_.limb_rule.measure);
-      samples_[0].bundles[i].clear(origin);
-      for(std::size_t k = 0; k < radii.size(); ++k)
-      {
-        if(k > 0)
-          samples_[k].bundles[i] = samples_[k - 1].bundles[i];
-        samples_[k].bundles[i].add(limbs, samples_[k].share_of_radius, samples_[k].short_length);
-        for(int limb = 0; limb < count; ++limb)
-          samples_[k].extent.add(limbs.reached(limb) / samples_[k].share_of_radius, limbs.end(limb),
-                                 limbs.climbs(limb));
-      }
+      Limb_bundle<View> limbs(view, site, star, directions_.cosines[i], directions_.sines[i],
+                              directions_.limbs_in_bundle(i), options_.limb_rule.measure);
+      sample(limbs, i, origin);
     }
   }
 
@@ -113,6 +103,25 @@ public:
   }
 
 private:
+  /// walks the limbs of a bundle. Their samples up to the largest radius are added up, and those up to smaller ones are
+  /// what there is when a limb comes by.
+  void sample(Limb_bundle<View>& limbs, std::size_t bundle, const Functions& origin)
+  {
+    const int number_of_limbs = directions_.limbs_in_bundle(bundle);
+    auto& all = samples_.back().bundles[bundle];
+    all.clear(origin);
+    limbs.walk(
+      shares_, [&](const Segments<Scalar>& next) { all.add(next, samples_.back().short_length); },
+      [&](int lane, std::size_t k) {
+        auto& samples = samples_[k].bundles[bundle];
+        if(&samples != &all)
+          samples.take_lane(lane, all);
+        samples.end_lane(lane, limbs.end_along_direction()[lane], limbs.end(lane) == radius_reached);
+        if(lane < number_of_limbs)
+          samples_[k].extent.add(limbs.reached(lane) / shares_[k], limbs.end(lane), limbs.climbs(lane));
+      });
+  }
+
   static constexpr Scalar short_segment = Scalar(0.01); ///< a hundredth of the radius, see `weight_of_length()`
 
   /// returns the terms at the query point, interpolated from the vertices that it lies between, and its height, 0.
@@ -173,6 +182,7 @@ private:
   const Options<Scalar>& options_;
   Limb_directions<Scalar> directions_;
   std::vector<Scalar> radius_;   ///< where there is one
+  std::vector<Scalar> shares_;   ///< of the largest radius
   std::vector<Samples> samples_; ///< for each radius
 };
 
