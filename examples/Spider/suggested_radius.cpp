@@ -11,9 +11,11 @@
 #include <CGAL/Surface_mesh.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdlib>
 #include <iostream>
 #include <string>
+#include <vector>
 
 using Kernel = CGAL::Simple_cartesian<double>;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
@@ -51,5 +53,16 @@ int main(int argc, char* argv[])
     std::minmax_element(mesh.vertices().begin(), mesh.vertices().end(),
                         [&](Mesh::Vertex_index v, Mesh::Vertex_index w) { return radii[v] < radii[w]; });
   std::cout << "one for each vertex: from " << radii[*least] << " to " << radii[*greatest] << '\n';
+
+  // What is there at several scales takes little longer than at the largest one.
+  //! [several radii]
+  const std::vector<double> scales = {radius / 2, radius, 2 * radius};
+  auto at_scales = mesh.add_property_map<Mesh::Vertex_index, std::vector<Estimate>>("v:curvature_at_scales").first;
+  CGAL::Spider::estimate_vertex_curvatures<CGAL::Parallel_if_available_tag>(mesh, at_scales,
+                                                                            params::geodesic_radii(scales));
+  //! [several radii]
+  for(std::size_t i = 0; i < scales.size(); ++i)
+    std::cout << "at radius " << scales[i] << ": mean curvature "
+              << at_scales[*mesh.vertices().begin()][i].mean_curvature() << " at the first vertex\n";
   return EXIT_SUCCESS;
 }
