@@ -8,7 +8,7 @@ namespace parameters {
 
 the length that limbs grow to, in the mesh's units: a positive number, or a model of `SpiderRadiusMap`.
 
-<b>Default:</b> 4 times the mean edge length; in smoothing half of the mean length of the edges around each vertex. The one parameter that is worth thought: it is the size of the smallest feature of interest, and \ref choosing_the_radius tells how to choose it. Paper, 2.2 and 2.6.
+<b>Default:</b> 4 times the mean edge length; in smoothing half of the mean length of the edges around each vertex, and up to three times as much where there is nothing but noise. The one parameter that is worth thought: it is the size of the smallest feature of interest, and \ref choosing_the_radius tells how to choose it. Paper, 2.2 and 2.6.
 
 \param radius the value
 \return a chain of named parameters

@@ -180,7 +180,7 @@ TEST(smooth_by_geodesic_rings, takes_noise_off_a_sphere_and_keeps_its_volume)
   EXPECT_NEAR(done.volume_before, volume(before), 1e-12);
   EXPECT_NEAR(done.volume_after, volume(after), 1e-12);
   EXPECT_NEAR(done.volume_after / done.volume_before, 1, 1e-6);
-  EXPECT_LT(mean_error_of_unit_sphere(after), 0.5 * mean_error_of_unit_sphere(before)); // measured: 0.41
+  EXPECT_LT(mean_error_of_unit_sphere(after), 0.5 * mean_error_of_unit_sphere(before)); // measured: 0.38
 
   double greatest = 0, sum = 0;
   for(Vertex v : after.vertices())
@@ -197,10 +197,11 @@ TEST(smooth_by_geodesic_rings, takes_noise_off_a_sphere_and_keeps_its_volume)
   EXPECT_LT(without.volume_after, 0.995 * without.volume_before);
 }
 
-// The bar of the paper's figure 11. Measured: 0.86 and 0.87 times the mean, 0.55 to 0.85 times the greatest distance.
+// The bar of the paper's figure 11, on meshes of many features and of none. Measured: 0.76 to 0.86 times the mean, 0.57
+// to 0.85 times the greatest distance.
 TEST(smooth_by_geodesic_rings, comes_nearer_to_a_clean_mesh_than_Laplacian_smoothing_at_its_best)
 {
-  for(const char* name : {"elephant.off", "bull.off"})
+  for(const char* name : {"elephant.off", "bull.off", "knot1.off"})
   {
     Mesh clean;
     if(!meshes::read(name, clean))
@@ -209,7 +210,7 @@ TEST(smooth_by_geodesic_rings, comes_nearer_to_a_clean_mesh_than_Laplacian_smoot
     {
       const Mesh before = noisy(clean, 0.5, seed);
       Distances best_laplacian = {1e9, 1e9};
-      for(double factor : {0.02, 0.05, 0.1, 0.15, 0.2})
+      for(double factor : {0.02, 0.05, 0.1, 0.15, 0.2, 0.3})
       {
         const Distances one = distances(smoothed_by_laplacian(before, factor, 10), clean);
         best_laplacian.greatest = one.mean < best_laplacian.mean ? one.greatest : best_laplacian.greatest;
@@ -218,11 +219,31 @@ TEST(smooth_by_geodesic_rings, comes_nearer_to_a_clean_mesh_than_Laplacian_smoot
       Mesh mesh = before;
       const auto done = Spider::smooth_by_geodesic_rings(mesh);
       const Distances by_rings = distances(mesh, clean);
-      EXPECT_LT(by_rings.mean, 0.95 * best_laplacian.mean) << name;
+      EXPECT_LT(by_rings.mean, 0.9 * best_laplacian.mean) << name;
       EXPECT_LT(by_rings.greatest, best_laplacian.greatest) << name;
       EXPECT_NEAR(done.volume_after / done.volume_before, 1, 1e-3) << name;
     }
   }
+}
+
+// Rings get wide where noise is all there is: two thirds of what those leave that stay narrow.
+TEST(smooth_by_geodesic_rings, widens_rings_where_there_is_nothing_but_noise)
+{
+  const Mesh before = noisy(meshes::plane<Mesh>(12), 0.5, 3);
+  const auto noise_left = [&](const auto& np) {
+    Mesh mesh = before;
+    Spider::smooth_by_geodesic_rings(mesh, np);
+    double sum = 0;
+    for(Vertex v : mesh.vertices())
+    {
+      const Vector p = meshes::point(mesh, v);
+      if(std::max(std::abs(p.x()), std::abs(p.y())) < 10) // the border keeps its noise
+        sum += std::abs(p.z());
+    }
+    return sum;
+  };
+  const double narrow = noise_left(params::geodesic_radius(meshes::mean_edge_length(before) / 2));
+  EXPECT_LT(noise_left(params::number_of_iterations(10)), 0.8 * narrow); // measured: 0.63
 }
 
 // There is no volume to tell how far; what vertices around move alike does.
@@ -243,16 +264,19 @@ TEST(smooth_by_geodesic_rings, keeps_the_radius_of_an_open_cylinder)
 
 TEST(smooth_by_geodesic_rings, does_not_swing_where_rings_are_wide_and_steps_are_whole)
 {
-  Mesh mesh = noisy(meshes::icosphere<Mesh>(3), 0.3, 3);
-  const double edge = meshes::mean_edge_length(mesh);
-  const auto np = params::geodesic_radius(edge).smoothing_factor(1.);
-  Spider::smooth_by_geodesic_rings(mesh, np);
-  const Mesh before = mesh;
-  Spider::smooth_by_geodesic_rings(mesh, params::geodesic_radius(edge).smoothing_factor(1.).number_of_iterations(1));
+  const Mesh before = noisy(meshes::icosphere<Mesh>(3), 0.3, 3);
+  const double edge = meshes::mean_edge_length(before);
+  const auto smoothed = [&](int rounds) {
+    Mesh mesh = before;
+    Spider::smooth_by_geodesic_rings(mesh,
+                                     params::geodesic_radius(edge).smoothing_factor(1.).number_of_iterations(rounds));
+    return mesh;
+  };
+  const Mesh ten = smoothed(10), eleven = smoothed(11);
   double greatest = 0;
-  for(Vertex v : mesh.vertices())
-    greatest = std::max(greatest, (meshes::point(mesh, v) - meshes::point(before, v)).norm());
-  EXPECT_LT(greatest, 0.02 * edge); // measured: 0.0035
+  for(Vertex v : ten.vertices())
+    greatest = std::max(greatest, (meshes::point(ten, v) - meshes::point(eleven, v)).norm());
+  EXPECT_LT(greatest, 0.02 * edge); // measured: 0.0040
 }
 
 // The edges are given, the noise is everywhere: they keep it, and the faces beside them lose a part of theirs.
@@ -290,7 +314,7 @@ TEST(smooth_by_geodesic_rings, does_not_round_the_edges_of_a_fandisk)
       left += error(mesh, v);
     }
   }
-  EXPECT_LT(left, 0.6 * noise); // measured: 0.46
+  EXPECT_LT(left, 0.6 * noise); // measured: 0.38
 }
 
 TEST(smooth_by_geodesic_rings, stops_when_nothing_moves_far)

@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -60,8 +61,9 @@ cross.
     \cgalParamDescription{the radius of the rings: larger ones smooth more, and blur more}
     \cgalParamType{a number, or a readable property map from vertices to numbers}
     \cgalParamDefault{half of the mean edge length of the mesh (the paper's, figure 11), or where the edges around a
-    vertex are shorter on average, half of that}
-    \cgalParamExtra{so rings don't reach beyond the faces around a vertex, where they would blur}
+    vertex are shorter on average, half of that; if volume is kept, from round to round up to three times as much where
+    what the vertices do tells of noise rather than of shape, as far as borders and feature edges leave room}
+    \cgalParamExtra{so rings don't blur shape, and take noise off where there is nothing to blur}
   \cgalParamNEnd
   \cgalParamNBegin{smoothing_factor}
     \cgalParamDescription{the share of the way to the ring's centroid that a vertex goes in a round}
@@ -95,7 +97,8 @@ cross.
   \cgalParamNEnd
   \cgalParamNBegin{keep_volume}
     \cgalParamDescription{whether vertices take back in every round what those around them move alike, by which curved
-    parts would shrink; and then all free vertices step along their normals by one length, by which a closed mesh
+    parts would shrink, and go no farther from where they were than one and a half times the root mean square of how
+    far vertices nearby went; and then all free vertices step along their normals by one length, by which a closed mesh
     encloses as much as at first}
     \cgalParamType{`bool`}
     \cgalParamDefault{`true` (the paper's: `false`)}
@@ -167,7 +170,7 @@ auto smooth_by_geodesic_rings(TriangleMesh& tmesh, const NamedParameters& np = C
 
   const internal::Smoothing_options<Scalar> options(np, inputs.options);
   const std::vector<internal::Vec3<Scalar>> first_points = mesh.points();
-  internal::Ring_smoother<Scalar> smoother(mesh, options, radii, is_fixed, CGAL::is_closed(tmesh));
+  internal::Ring_smoother<Scalar> smoother(mesh, options, std::move(radii), is_fixed, CGAL::is_closed(tmesh));
   const auto done = smoother.template run<ConcurrencyTag>();
 
   auto points =

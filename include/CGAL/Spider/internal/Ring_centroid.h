@@ -11,6 +11,7 @@
 #include <CGAL/Spider/internal/Star.h>
 #include <CGAL/Spider/parameters.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -49,13 +50,20 @@ public:
     ring_.resize(directions_.number_of_limbs);
   }
 
-  /// returns the way from a site to its ring's centroid; zero where there is no ring.
-  Vector operator()(const Site<View>& site, Scalar radius, const Vector& normal)
+  /// returns the way from a site to its ring's centroid; zero where there is no ring. A ring that would reach beyond a
+  /// line is made as narrow as that it doesn't, but not narrower than told: its centroid lies towards where limbs are
+  /// whole.
+  Vector operator()(const Site<View>& site, Scalar radius, Scalar narrowest, const Vector& normal)
   {
     if(site.rim.empty() || !(radius > 0) || !std::isfinite(radius) || !normal.allFinite())
       return Vector::Zero();
     const Spider_frame<Scalar> frame(normal, site.reference);
     trace_ring(site, frame, radius);
+    if(distance_to_line_ < 1 && radius > narrowest)
+    {
+      radius = std::max(narrowest, distance_to_line_ * radius);
+      trace_ring(site, frame, radius);
+    }
     const Vector centroid = weight_ == by_arc ? centroid_by_arc() : centroid_by_limb();
     const Vector way =
       radius * (centroid.x() * frame.tangent + centroid.y() * frame.bitangent + centroid.z() * frame.normal);
@@ -63,9 +71,11 @@ public:
   }
 
 private:
-  /// finds the limbs' ends in the frame, in units of the radius.
+  /// finds the limbs' ends in the frame, and how long the shortest of those is that a line ends, in units of the
+  /// radius.
   void trace_ring(const Site<View>& site, const Spider_frame<Scalar>& frame, Scalar radius)
   {
+    distance_to_line_ = 1;
     const Star<View> star(mesh_, site, Local_coordinates<Scalar>(site.point, frame, radius));
     for(std::size_t i = 0; i < directions_.cosines.size(); ++i)
     {
@@ -75,7 +85,11 @@ private:
       limbs.walk([](const auto&) {});
       const Values y = limbs.end_along_direction(), z = limbs.end_along_normal();
       for(int l = 0; l < count; ++l)
+      {
         ring_[i * number_of_lanes + l] = {y[l] * cosines[l], y[l] * sines[l], z[l]};
+        if(limbs.end(l) == border || limbs.end(l) == feature_edge)
+          distance_to_line_ = std::min(distance_to_line_, limbs.reached(l));
+      }
     }
   }
 
@@ -106,6 +120,7 @@ private:
   Ring_weight weight_;
   Limb_directions<Scalar> directions_;
   std::vector<Vector> ring_;
+  Scalar distance_to_line_ = 1;
 };
 
 } // namespace internal

@@ -5,9 +5,11 @@
 #ifndef CGAL_SPIDER_INTERNAL_RING_SMOOTHER_H
 #define CGAL_SPIDER_INTERNAL_RING_SMOOTHER_H
 
+#include <CGAL/Spider/internal/Free_vertices.h>
 #include <CGAL/Spider/internal/Mesh_lines.h>
 #include <CGAL/Spider/internal/Options.h>
 #include <CGAL/Spider/internal/Ring_centroid.h>
+#include <CGAL/Spider/internal/Ring_radii.h>
 #include <CGAL/Spider/internal/Vertex_motion.h>
 #include <CGAL/Spider/internal/for_each_query.h>
 #include <CGAL/Spider/internal/neighbourhood_normals.h>
@@ -35,6 +37,7 @@ struct Smoothing_options
   Ring_weight ring_weight = by_limb;
   Line_motion line_motion = fixed_lines;
   bool keep_volume = true;
+  bool adapts_radii; // without giving back what is common, wide rings would shrink the mesh
 
   template <typename NamedParameters>
   Smoothing_options(const NamedParameters& np, const Options<Scalar>& options)
@@ -56,6 +59,7 @@ struct Smoothing_options
     ring_weight = choose_parameter(get_parameter(np, tags::ring_weight), ring_weight);
     line_motion = choose_parameter(get_parameter(np, tags::line_motion), line_motion);
     keep_volume = choose_parameter(get_parameter(np, tags::keep_volume), keep_volume);
+    adapts_radii = keep_volume && !is_given<decltype(get_parameter(np, tags::geodesic_radius))>;
   }
 };
 
@@ -75,9 +79,10 @@ public:
     Scalar volume_before = nan<Scalar>(), volume_after = nan<Scalar>();
   };
 
-  Ring_smoother(View& mesh, const Smoothing_options<Scalar>& options, const std::vector<Scalar>& radii,
+  Ring_smoother(View& mesh, const Smoothing_options<Scalar>& options, std::vector<Scalar> radii,
                 const std::vector<bool>& is_fixed, bool is_closed)
-    : mesh_(mesh), options_(options), radii_(radii), is_fixed_(is_fixed), is_closed_(is_closed), lines_(mesh)
+    : mesh_(mesh), options_(options), radii_(std::move(radii)), is_fixed_(is_fixed), is_closed_(is_closed),
+      lines_(mesh), free_(mesh, lines_, is_fixed)
   {}
 
   template <typename ConcurrencyTag>
@@ -93,7 +98,10 @@ public:
       const std::vector<Vector> before = mesh_.points();
       std::vector<Vector> ways = ways_to_centroids<ConcurrencyTag>();
       if(options_.keep_volume)
-        give_back_what_is_common(ways);
+      {
+        give_back_what_is_common<ConcurrencyTag>(ways);
+        stay_near<ConcurrencyTag>(first, ways);
+      }
       mesh_.move_to(moved_as_far_as_sound(mesh_, ways));
       if(options_.keep_volume && is_closed_)
         step_to_volume(done.volume_before);
@@ -117,8 +125,6 @@ public:
   }
 
 private:
-  bool is_free(Vertex v) const { return !is_fixed_[v] && !lines_.is_on_line(v); }
-
   template <typename ConcurrencyTag>
   std::vector<Vector> ways_to_centroids() const
   {
@@ -129,8 +135,8 @@ private:
       [&] {
         return [&, centroid = Ring_centroid<Scalar>(mesh_, options_.number_of_directions, options_.limb_measure,
                                                     options_.ring_weight)](Vertex v) mutable -> Vector {
-          if(is_free(v))
-            return options_.factor * centroid(site_at_vertex(mesh_, v), radii_[v], normals[v]);
+          if(free_.contains(v))
+            return options_.factor * centroid(site_at_vertex(mesh_, v), radii_[v], radii_.narrowest(v), normals[v]);
           if(is_fixed_[v] || options_.line_motion == fixed_lines)
             return Vector::Zero();
           return options_.factor * lines_.way_along_line(v);
@@ -144,35 +150,34 @@ private:
   /// neighbourhood goes one way it is for the shape of the surface, which shrinks by it, and not for noise. Two means
   /// on end make what is given back of any pattern of ways a share from 0 to 1 of it. One would turn the sign of those
   /// that alternate from vertex to vertex, which would then go up to half as far again.
-  void give_back_what_is_common(std::vector<Vector>& ways) const
+  template <typename ConcurrencyTag>
+  void give_back_what_is_common(std::vector<Vector>& ways)
   {
-    const std::vector<Vector> common = means_around(means_around(ways));
-    for(Vertex v = 0; v < static_cast<Vertex>(ways.size()); ++v)
-      if(is_free(v))
-        ways[v] -= common[v];
+    const std::vector<Vector> common =
+      free_.template means_around<ConcurrencyTag>(free_.template means_around<ConcurrencyTag>(ways));
+    for(std::size_t v = 0; v < ways.size(); ++v)
+      ways[v] -= common[v];
+    if(options_.adapts_radii)
+      radii_.template adapt<ConcurrencyTag>(free_, common, ways);
   }
 
-  /// returns the means of the values at the free vertices around each free one; zero elsewhere, and where there are
-  /// none.
-  std::vector<Vector> means_around(const std::vector<Vector>& values) const
+  /// shortens ways that would lead farther from the first places than vertices nearby have gone: noise is about alike
+  /// in a neighbourhood, and what asks for more of a vertex is a tip, whose ring lies beneath it in every round.
+  template <typename ConcurrencyTag>
+  void stay_near(const std::vector<Vector>& first, std::vector<Vector>& ways) const
   {
-    std::vector<Vector> means(values.size(), Vector::Zero());
-    for(Vertex v = 0; v < static_cast<Vertex>(values.size()); ++v)
+    constexpr Scalar farthest =
+      Scalar(1.5); // root mean squares; noise that is uniform goes to 1.7, and half of it goes
+    std::vector<Vector> displacements(ways.size());
+    for(std::size_t v = 0; v < ways.size(); ++v)
+      displacements[v] = mesh_.points()[v] + ways[v] - first[v];
+    const std::vector<Scalar> squares = free_.template mean_squares_near<ConcurrencyTag>(displacements);
+    for(Vertex v = 0; v < static_cast<Vertex>(ways.size()); ++v)
     {
-      int count = 0;
-      if(is_free(v) && mesh_.first_corner(v) != View::null_halfedge())
-        visit_corners(mesh_, mesh_.first_corner(v), [&](typename View::Halfedge corner) {
-          const Vertex neighbour = mesh_.target(corner); // a free vertex has as many corners as neighbours
-          if(is_free(neighbour))
-          {
-            means[v] += values[neighbour];
-            ++count;
-          }
-        });
-      if(count > 0)
-        means[v] /= Scalar(count);
+      const Scalar share = farthest * std::sqrt(squares[v]) / displacements[v].norm();
+      if(free_.contains(v) && share < 1)
+        ways[v] = first[v] + share * displacements[v] - mesh_.points()[v];
     }
-    return means;
   }
 
   /// has free vertices step along their normals, all by one length, so that the mesh encloses a volume.
@@ -188,7 +193,7 @@ private:
       std::vector<Vector> ways(mesh_.number_of_vertices(), Vector::Zero());
       Scalar area = 0; // of the faces around free vertices, a third for each
       for(Vertex v = 0; v < static_cast<Vertex>(ways.size()); ++v)
-        if(is_free(v))
+        if(free_.contains(v))
         {
           const Vector area_of_star = area_vector(mesh_, site_at_vertex(mesh_, v), Scalar(1)) / 3;
           area += area_of_star.norm();
@@ -202,10 +207,11 @@ private:
 
   View& mesh_;
   const Smoothing_options<Scalar>& options_;
-  const std::vector<Scalar>& radii_;
+  Ring_radii<Scalar> radii_;
   const std::vector<bool>& is_fixed_;
   bool is_closed_;
   Mesh_lines<Scalar> lines_;
+  Free_vertices<Scalar> free_;
 };
 
 } // namespace internal
