@@ -55,7 +55,7 @@ public:
   }
 
   /// returns the mean squares of vectors at the free vertices of a neighbourhood of each free one; zero elsewhere. It
-  /// reaches some eight edges far, and weighs half of what it weighs within three.
+  /// reaches eight edges far, as a walk at random of as many steps does: half of its weight is within some two edges.
   template <typename ConcurrencyTag>
   std::vector<Scalar> mean_squares_near(const std::vector<Vec3<Scalar>>& vectors) const
   {
