@@ -147,9 +147,9 @@ TEST(continuity, changes_are_little_on_most_paths_over_a_noisy_scan)
     GTEST_SKIP() << "there is no " << file << " (Debian and Ubuntu: libcgal-demo)";
   Mesh bunny;
   ASSERT_TRUE(PMP::IO::read_polygon_mesh(file.string(), bunny));
-  // Measured for noise of 0, 0.25 and 0.5: medians of 0.0055, 0.0076 and 0.0089; on one of the 20 paths there is a
-  // change above 5 %, at most of 23 %. It leads along a fold that is sharper than the radius, where the
-  // next round's normal depends steeply on the last one's.
+  // Measured for noise of 0, 0.25 and 0.5: medians of 0.0055, 0.0076 and 0.0092; on 1, 1 and 2 of the 20 paths there is
+  // a change above 5 %, at most of 31 %. These lead along folds that are sharper than the radius, where the next
+  // round's normal depends steeply on the last one's.
   for(double noise : {0., 0.25, 0.5})
   {
     SCOPED_TRACE(noise);

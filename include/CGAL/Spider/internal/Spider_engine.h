@@ -64,8 +64,8 @@ public:
   }
 
 private:
-  /// grows spiders from a normal and from those that they lead to, and has them better an estimate, which may have a fit
-  /// already.
+  /// grows spiders from a normal and from those that they lead to, and has them better an estimate, which may have a
+  /// fit already.
   void iterate(const Site<View>& site, Scalar radius, Vec3<Scalar> normal, int number_of_rounds,
                Estimate<Scalar>& estimate)
   {
@@ -84,8 +84,7 @@ private:
       if(Fit::rests_at_best_fit && estimate.has_fit())
       {
         // A spider that saw half as much must fit twice as well.
-        const Scalar share =
-          share_of_better(fit.residual * reach * estimate.coverage / (estimate.residual * coverage));
+        const Scalar share = share_of_better(fit.residual * reach * estimate.coverage / (estimate.residual * coverage));
         if(share == 0)
           break;
         rounds.add(estimate, 1 - share);
@@ -109,8 +108,8 @@ private:
     return falling(ratio_of_misfits, clearly_better, clearly_worse);
   }
 
-  /// returns the normal of the next round's spider. `surface_fit` turns it all the way to that found if that is far, and
-  /// hardly at all where the iteration is about to rest, so that another round makes but a small difference there.
+  /// returns the normal of the next round's spider. `surface_fit` turns it all the way to that found if that is far,
+  /// and hardly at all where the iteration is about to rest, so that another round makes but a small difference there.
   Vec3<Scalar> next_normal(const Vec3<Scalar>& normal, const Vec3<Scalar>& found) const
   {
     if(!Fit::rests_at_best_fit)
