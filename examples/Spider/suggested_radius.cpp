@@ -54,7 +54,7 @@ int main(int argc, char* argv[])
                         [&](Mesh::Vertex_index v, Mesh::Vertex_index w) { return radii[v] < radii[w]; });
   std::cout << "one for each vertex: from " << radii[*least] << " to " << radii[*greatest] << '\n';
 
-  // What is there at several scales takes little longer than at the largest one.
+  // What is there at several scales takes one walk.
   //! [several radii]
   const std::vector<double> scales = {radius / 2, radius, 2 * radius};
   auto at_scales = mesh.add_property_map<Mesh::Vertex_index, std::vector<Estimate>>("v:curvature_at_scales").first;

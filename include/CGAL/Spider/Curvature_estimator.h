@@ -51,7 +51,7 @@ public:
   using Estimate = Curvature_estimate_3<Result_traits>; ///< the type of an estimate
   /// the type of the answers: an estimate, or one for each of `geodesic_radii` where these are given
   using Answer = std::conditional_t<Inputs::has_radii, std::vector<Estimate>, Estimate>;
-  using Vector_3 = typename Result_traits::Vector_3; ///< the type of normals
+  using Vector_3 = typename Result_traits::Vector_3;    ///< the type of normals
 
   /// reads a mesh.
   /// \tparam ConcurrencyTag `CGAL::Sequential_tag` (the default), `CGAL::Parallel_tag` or
@@ -65,7 +65,8 @@ public:
                                const NamedParameters& np = CGAL::parameters::default_values(),
                                ConcurrencyTag tag = ConcurrencyTag())
     : Curvature_estimator(tag, tmesh, Inputs(tmesh, np, surface_fit))
-  {}
+  {
+  }
 
   /// estimates as `estimate_curvature()` does.
   /// \tparam Query a model of `SpiderQuery`
@@ -101,7 +102,8 @@ public:
     friend class Curvature_estimator;
     explicit Worker(const Curvature_estimator& estimator)
       : estimator_(estimator), engine_(estimator.mesh_, estimator.options_)
-    {}
+    {
+    }
 
     const Curvature_estimator& estimator_;
     internal::Estimator_engine<Snapshot> engine_;
@@ -183,10 +185,12 @@ private:
 
   Normal first_normal(const internal::Site<Snapshot>& site) const
   {
-    return internal::first_normal_of(
-      mesh_, site, radius_at(site), Inputs::has_given_normals, options_.first_normal, [&](std::uint32_t v) -> Normal {
-        return normals_.empty() ? internal::neighbourhood_normal_at_vertex(mesh_, v, radius_at_vertex(v)) : normals_[v];
-      });
+    return internal::first_normal_of(mesh_, site, radius_at(site), Inputs::has_given_normals, options_.first_normal,
+                                     [&](std::uint32_t v) -> Normal {
+                                       return normals_.empty()
+                                                ? internal::neighbourhood_normal_at_vertex(mesh_, v, radius_at_vertex(v))
+                                                : normals_[v];
+                                     });
   }
 
   internal::Options<Scalar> options_;

@@ -44,8 +44,11 @@ Curvature_estimate_3<GT> to_result(const Estimate<Scalar>& estimate)
 
 /// returns what the caller gets who gave one radius, or several in `radii`.
 template <typename Inputs, typename Engine, typename View, typename Scalar>
-auto estimate_at(const Site<View>& site, Scalar radius, const Radius_list<Scalar>& radii,
-                 const Vec3<Scalar>& first_normal, Engine& engine)
+auto estimate_at(const Site<View>& site,
+                 Scalar radius,
+                 const Radius_list<Scalar>& radii,
+                 const Vec3<Scalar>& first_normal,
+                 Engine& engine)
 {
   using GT = typename Inputs::Result_traits;
   if constexpr(Inputs::has_radii)
@@ -75,12 +78,11 @@ curvatures and the next normal:
 - `surface_fit` fits one polynomial height field to a sample of each segment of all limbs, and takes curvatures and
   normal from its fundamental forms. Where only few vertices are in reach, both curvatures are the mean one;
 - `section_fit` fits a polynomial along each direction, takes the orthogonal pair of directions whose curvatures differ
-  most as the principal one, and the average of its two normals as the next normal (paper, 2.2 to 2.4). Pairs that
-differ nearly as much share in that average: on a smooth surface it stays the same, at a corner it doesn't depend on
-chance.
+  most as the principal one, and the average of its two normals as the next normal (paper, 2.2 to 2.4). Pairs that differ
+  nearly as much share in that average: on a smooth surface it stays the same, at a corner it doesn't depend on chance.
 
-With `geodesic_radius` and `number_of_directions` given, it takes time linear in the number of faces crossed, whatever
-the size of the mesh.
+With `geodesic_radius` and `number_of_directions` given, it takes time linear in the number of faces crossed, whatever the
+size of the mesh.
 
 \tparam Query a model of `SpiderQuery`
 \tparam TriangleMesh a model of `FaceGraph`
@@ -92,14 +94,19 @@ the size of the mesh.
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{geodesic_radius}
-    \cgalParamDescription{the length that limbs grow to, in the mesh's units: the size of the smallest feature of
-interest} \cgalParamType{a number, or a readable property map from vertices to numbers} \cgalParamDefault{4 times the
-mean edge length} \cgalParamExtra{larger radii suppress more noise and blur more; the default takes a pass over all
-edges} \cgalParamNEnd \cgalParamNBegin{geodesic_radii} \cgalParamDescription{several radii instead of one: the result is
-one estimate for each, in their order} \cgalParamType{a range of numbers} \cgalParamDefault{none: `geodesic_radius`
-holds} \cgalParamExtra{`surface_fit` walks limbs once, to the largest radius, and takes little longer than for that one
-alone. All radii start from the same normal, that of their extremes' geometric mean, and have the directions of the
-largest, so that answers differ a little from those of one radius at a time} \cgalParamNEnd
+    \cgalParamDescription{the length that limbs grow to, in the mesh's units: the size of the smallest feature of interest}
+    \cgalParamType{a number, or a readable property map from vertices to numbers}
+    \cgalParamDefault{4 times the mean edge length}
+    \cgalParamExtra{larger radii suppress more noise and blur more; the default takes a pass over all edges}
+  \cgalParamNEnd
+  \cgalParamNBegin{geodesic_radii}
+    \cgalParamDescription{several radii instead of one: the result is one estimate for each, in their order}
+    \cgalParamType{a range of numbers}
+    \cgalParamDefault{none: `geodesic_radius` holds}
+    \cgalParamExtra{`surface_fit` walks limbs once for all radii, but for places where the normals found differ much
+    from the first one. All radii start from the same normal, that of their extremes' geometric mean, and have the
+    directions of the largest, so that answers differ a little from those of one radius at a time}
+  \cgalParamNEnd
   \cgalParamNBegin{number_of_directions}
     \cgalParamDescription{number of directions, spaced regularly over a half turn, with two limbs each}
     \cgalParamType{an integer from 3 to 65536; with `section_fit` an even one from 2}
@@ -185,20 +192,21 @@ largest, so that answers differ a little from those of one radius at a time} \cg
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return a `Curvature_estimate_3`, whose `status` says how it came about; with `geodesic_radii` a `std::vector` of them.
-It never throws for what is wrong with a mesh locally: what can't be estimated is NaN. \throw std::invalid_argument if a
-parameter is out of its range, or a face that is met isn't a triangle
+\return a `Curvature_estimate_3`, whose `status` says how it came about; with `geodesic_radii` a `std::vector` of them. It
+never throws for what is wrong with a mesh locally: what can't be estimated is NaN.
+\throw std::invalid_argument if a parameter is out of its range, or a face that is met isn't a triangle
 */
 template <typename Query, typename TriangleMesh, typename NamedParameters = CGAL::parameters::Default_named_parameters>
-auto estimate_curvature(const Query& query, const TriangleMesh& tmesh,
+auto estimate_curvature(const Query& query,
+                        const TriangleMesh& tmesh,
                         const NamedParameters& np = CGAL::parameters::default_values())
 {
   using Inputs = internal::Mesh_inputs<TriangleMesh, NamedParameters>;
   const Inputs inputs(tmesh, np, surface_fit);
   internal::Query_point<Inputs> at(inputs, query);
   const auto normal = internal::first_normal_of_query(inputs, at);
-  at.site.reference =
-    internal::continuous_reference(inputs.view, at.site, normal, inputs.options.number_of_directions_at(at.radius));
+  at.site.reference = internal::continuous_reference(inputs.view, at.site, normal,
+                                                     inputs.options.number_of_directions_at(at.radius));
   internal::Estimator_engine<typename Inputs::View> engine(inputs.view, inputs.options);
   return internal::estimate_at<Inputs>(at.site, at.radius, inputs.radii, normal, engine);
 }

@@ -44,17 +44,22 @@ radius, and memory linear in the size of the mesh. A vertex without an estimate 
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \tparam CurvatureMap a model of `WritablePropertyMap` from vertices to a model of `SpiderCurvatureResult`, such as
-        `Curvature_estimate_3` of any kernel with floating-point numbers; with `geodesic_radii` to a container of them
-that is constructed from two iterators, such as a `std::vector` \param tmesh a triangle mesh; it is only read \param
-curvature_map takes the estimates \param np an optional sequence of named parameters, those of `estimate_curvature()`,
-and `visitor`, a model of `SpiderVisitor` that is told how far the work is, and may cancel it by an exception
+        `Curvature_estimate_3` of any kernel with floating-point numbers; with `geodesic_radii` to a container of them that
+        is constructed from two iterators, such as a `std::vector`
+\param tmesh a triangle mesh; it is only read
+\param curvature_map takes the estimates
+\param np an optional sequence of named parameters, those of `estimate_curvature()`, and
+       `visitor`, a model of `SpiderVisitor` that is told how far the work is, and may cancel it by an exception
 
-\throw std::invalid_argument if a parameter is out of its range, a face isn't a triangle, or there are more than 268
-million faces
+\throw std::invalid_argument if a parameter is out of its range, a face isn't a triangle, or there are more than 268 million
+faces
 */
-template <typename ConcurrencyTag = CGAL::Sequential_tag, typename TriangleMesh, typename CurvatureMap,
+template <typename ConcurrencyTag = CGAL::Sequential_tag,
+          typename TriangleMesh,
+          typename CurvatureMap,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>
-void estimate_vertex_curvatures(const TriangleMesh& tmesh, CurvatureMap curvature_map,
+void estimate_vertex_curvatures(const TriangleMesh& tmesh,
+                                CurvatureMap curvature_map,
                                 const NamedParameters& np = CGAL::parameters::default_values())
 {
   using Result = typename boost::property_traits<CurvatureMap>::value_type;
