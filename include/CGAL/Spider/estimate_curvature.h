@@ -149,8 +149,7 @@ size of the mesh.
     \cgalParamType{a number}
     \cgalParamDefault{0.3; with `section_fit` 0.001}
     \cgalParamExtra{a height field has its normal free, so only a large tilt needs another round; `surface_fit` also
-    rests when a round fits clearly worse than the one before, and turns by a part of an angle that is up to three times
-    as large, so that answers change little by little along the mesh}
+    rests when a round fits no better than the one before}
   \cgalParamNEnd
   \cgalParamNBegin{first_normal}
     \cgalParamDescription{where normals come from that aren't given}

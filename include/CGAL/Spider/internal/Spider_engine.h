@@ -5,7 +5,7 @@
 #ifndef CGAL_SPIDER_INTERNAL_SPIDER_ENGINE_H
 #define CGAL_SPIDER_INTERNAL_SPIDER_ENGINE_H
 
-#include <CGAL/Spider/internal/Estimate_blend.h>
+#include <CGAL/Spider/Curvature_estimate_3.h>
 #include <CGAL/Spider/internal/Options.h>
 #include <CGAL/Spider/internal/Spider_fit.h>
 #include <CGAL/Spider/internal/Spider_frame.h>
@@ -20,6 +20,21 @@
 namespace CGAL {
 namespace Spider {
 namespace internal {
+
+/// `Curvature_estimate_3` on plain numbers.
+template <typename Scalar>
+struct Estimate
+{
+  Scalar min_curvature = nan<Scalar>(), max_curvature = nan<Scalar>();
+  Vec3<Scalar> min_direction = nan_vec3<Scalar>(), max_direction = nan_vec3<Scalar>(), normal = nan_vec3<Scalar>();
+  Estimate_status status = isolated;
+  Scalar coverage = 0;
+  Scalar residual = nan<Scalar>();
+  Scalar standard_error = nan<Scalar>(); ///< of mean curvature, where the estimator tells
+  bool meets_border = false;             ///< a limb ended there
+
+  bool has_fit() const { return status == ok || status == partial; }
+};
 
 /// The spider at one point after another: limbs, fit, and again from the new normal (paper, 2.2 to 2.4). Keeps its
 /// buffers, so every thread has its own.
@@ -39,7 +54,7 @@ public:
     estimate.status = insufficient;
     estimate.normal = first_normal;
     if(radius > 0 && std::isfinite(radius) && first_normal.allFinite())
-      iterate(site, radius, first_normal, options_.number_of_iterations, estimate);
+      iterate(site, radius, options_.number_of_iterations, estimate);
     return estimate;
   }
 
@@ -58,66 +73,35 @@ public:
       if(!estimates[k].has_fit())
         estimates[k] = (*this)(site, radii[k], first_normal);
       else if(!is_settled(first_normal, estimates[k].normal))
-        iterate(site, radii[k], next_normal(first_normal, estimates[k].normal), options_.number_of_iterations - 1,
-                estimates[k]);
+        iterate(site, radii[k], options_.number_of_iterations - 1, estimates[k]);
     }
   }
 
 private:
-  /// grows spiders from a normal and from those that they lead to, and has them better an estimate, which may have a
-  /// fit already.
-  void iterate(const Site<View>& site, Scalar radius, Vec3<Scalar> normal, int number_of_rounds,
-               Estimate<Scalar>& estimate)
+  /// grows spiders from the normal of an estimate, which may have a fit already, and from those that they lead to.
+  void iterate(const Site<View>& site, Scalar radius, int number_of_rounds, Estimate<Scalar>& estimate)
   {
     Scalar reach = radius; // of this spider: less than the radius where that leads over walls
-    Estimate_blend<Scalar> rounds;
     for(int round = 0; round < number_of_rounds; ++round)
     {
-      const Spider_frame<Scalar> frame(normal, site.reference);
+      const Spider_frame<Scalar> frame(estimate.normal, site.reference);
       Spider_extent<Scalar> extent;
       const Spider_fit<Scalar> fit = fit_within_walls(site, frame, reach, extent);
       const Scalar coverage = extent.coverage() * (reach / radius);
       if(!estimate.has_fit())
         estimate.coverage = coverage;
-      if(!fit.determined)
+      // A spider that saw half as much must fit twice as well.
+      const bool is_better = fit.residual * reach * estimate.coverage < estimate.residual * coverage;
+      if(!fit.determined || (Fit::rests_at_best_fit && estimate.has_fit() && !is_better))
         break; // the last round's answer stays
-      if(Fit::rests_at_best_fit && estimate.has_fit())
-      {
-        // A spider that saw half as much must fit twice as well.
-        const Scalar share = share_of_better(fit.residual * reach * estimate.coverage / (estimate.residual * coverage));
-        if(share == 0)
-          break;
-        rounds.add(estimate, 1 - share);
-      }
+      const Vec3<Scalar> previous = estimate.normal;
       take(fit, extent, frame, reach, estimate);
       estimate.coverage = coverage;
       if(reach < radius)
         estimate.status = partial;
-      if(is_settled(normal, estimate.normal))
+      if(is_settled(previous, estimate.normal))
         break;
-      normal = next_normal(normal, estimate.normal);
     }
-    estimate = rounds.completed_by(estimate);
-  }
-
-  /// returns how much of the answer is to be the next round's, given its misfit by the previous one's: all if it fits
-  /// clearly better, nothing if it fits clearly worse, and little by little less in between.
-  static Scalar share_of_better(Scalar ratio_of_misfits)
-  {
-    constexpr Scalar clearly_better = Scalar(0.5), clearly_worse = Scalar(1.5);
-    return falling(ratio_of_misfits, clearly_better, clearly_worse);
-  }
-
-  /// returns the normal of the next round's spider. `surface_fit` turns it all the way to that found if that is far,
-  /// and hardly at all where the iteration is about to rest, so that another round makes but a small difference there.
-  Vec3<Scalar> next_normal(const Vec3<Scalar>& normal, const Vec3<Scalar>& found) const
-  {
-    if(!Fit::rests_at_best_fit)
-      return found;
-    constexpr Scalar far = 3; // as large as it may be without estimates of noisy slivers getting worse
-    const Scalar least = options_.convergence_angle;
-    const Scalar share = 1 - falling(angle_between(normal, found), least, far * least);
-    return unit<Scalar>(normal + share * (found - normal));
   }
 
   /// leaves those without a fit that limbs climbing walls spoil.
