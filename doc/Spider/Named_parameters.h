@@ -19,6 +19,19 @@ auto geodesic_radius(const T& radius);
 /*!
 \ingroup PkgSpiderParameters
 
+several radii in place of one, as a range of numbers: estimates of curvature become ranges, one for each radius, in their order.
+
+<b>Default:</b> none. With `surface_fit` limbs are walked once, to the largest radius, but for places where normals turn much from one round to the next.
+
+\param radii the range
+\return a chain of named parameters
+*/
+template <typename T>
+auto geodesic_radii(const T& radii);
+
+/*!
+\ingroup PkgSpiderParameters
+
 how many directions are spaced regularly over a half turn; each has two limbs.
 
 <b>Default:</b> 2.5 for each mean edge length of the radius, at least 16; with `section_fit` and in tracing 64 (paper, 2.6); in smoothing 16. Time grows linearly with it. Fewer than the default cost accuracy, more gain nothing that was measurable.
