@@ -197,6 +197,24 @@ TEST(limb_moments, are_the_normal_equations_of_all_samples)
   }
 }
 
+namespace {
+
+template <int Size, typename System, typename Right_side>
+internal::Normal_equations<double, Size> normal_equations_of(const System& system, const Right_side& values)
+{
+  internal::Normal_equations<double, Size> equations;
+  for(int i = 0; i < Size; ++i)
+  {
+    for(int k = 0; k <= i; ++k)
+      equations.matrix[i][k] = system.col(i).dot(system.col(k));
+    equations.right_side[i] = system.col(i).dot(values);
+  }
+  equations.squared_values = values.squaredNorm();
+  return equations;
+}
+
+} // namespace
+
 TEST(least_squares, agrees_with_a_QR_decomposition_and_leaves_out_what_rows_do_not_determine)
 {
   constexpr int size = 4;
@@ -210,14 +228,7 @@ TEST(least_squares, agrees_with_a_QR_decomposition_and_leaves_out_what_rows_do_n
     system(i, 3) = system(i, 1) + 2 * system(i, 2); // nothing new
     values[i] = uniform();
   }
-  internal::Normal_equations<double, size> equations;
-  for(int i = 0; i < size; ++i)
-  {
-    for(int k = 0; k <= i; ++k)
-      equations.matrix[i][k] = system.col(i).dot(system.col(k));
-    equations.right_side[i] = system.col(i).dot(values);
-  }
-  equations.squared_values = values.squaredNorm();
+  const auto equations = normal_equations_of<size>(system, values);
   const auto fit = internal::solve<size, 2>(equations, 12., [](const auto&) { return 0.; });
   const Eigen::Vector3d expected = system.leftCols<3>().colPivHouseholderQr().solve(values);
   for(int i = 0; i < 3; ++i)
@@ -243,14 +254,7 @@ TEST(least_squares, takes_back_what_neglected_terms_do_by_the_share_that_is_effe
     system.row(i) << 1, x, x * x;
     values[i] = 1 + x + x * x + 0.2 * uniform();
   }
-  internal::Normal_equations<double, size> equations;
-  for(int i = 0; i < size; ++i)
-  {
-    for(int k = 0; k <= i; ++k)
-      equations.matrix[i][k] = system.col(i).dot(system.col(k));
-    equations.right_side[i] = system.col(i).dot(values);
-  }
-  equations.squared_values = values.squaredNorm();
+  const auto equations = normal_equations_of<size>(system, values);
 
   const Eigen::Vector2d plain = system.leftCols<fitted>().colPivHouseholderQr().solve(values);
   const Eigen::Vector3d full = system.colPivHouseholderQr().solve(values);

@@ -137,7 +137,7 @@ private:
     return segments;
   }
 
-  /// has limbs that rest where they should get for now go on to the next share of the radius, if there is one.
+  /// has limbs that rest at one share of the radius go on to the next, if there is one.
   template <typename Shares, typename Arrival>
   void send_on(const Shares& shares, std::array<std::size_t, number_of_lanes>& next, Arrival&& arrive)
   {

@@ -158,7 +158,8 @@ private:
     {
       // Neither so small that noise turns first normals, nor so large that they are those of somewhere else.
       radii = Radius_list<Scalar>(parameters::get_parameter(np_, Spider::internal_np::geodesic_radii));
-      return radii.ascending.front() * std::sqrt(radii.ascending.back() / radii.ascending.front());
+      const Scalar least = radii.ascending.front(), greatest = radii.ascending.back();
+      return least * (std::sqrt(greatest) / std::sqrt(least)); // whose parts don't overflow
     }
     else if constexpr(has_radius_map())
       return nan<Scalar>(); // each vertex has its own
