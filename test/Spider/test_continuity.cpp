@@ -147,16 +147,16 @@ TEST(continuity, changes_are_little_on_most_paths_over_a_noisy_scan)
     GTEST_SKIP() << "there is no " << file << " (Debian and Ubuntu: libcgal-demo)";
   Mesh bunny;
   ASSERT_TRUE(PMP::IO::read_polygon_mesh(file.string(), bunny));
-  // Measured for noise of 0, 0.25 and 0.5: medians of 0.027, 0.029 and 0.043; 5, 6 and 10 of the 20 paths have a change
-  // above 5 %. These lead along creases, where a limb may come to lie on the other side of a fold at once, and where
-  // another round follows or doesn't.
+  // Measured for noise of 0, 0.25 and 0.5: medians of 0.0053, 0.0067 and 0.0092; on 1, 1 and 2 of the 20 paths there is
+  // a change above 5 %, at most of 18 %. These lead along folds that are sharper than the radius, where a limb may come
+  // to lie on the other side of the fold at once.
   for(double noise : {0., 0.25, 0.5})
   {
     SCOPED_TRACE(noise);
     const Mesh noisy = with_noise(bunny, noise);
     const Changes changes =
       changes_along_paths(noisy, 20, params::geodesic_radius(4 * meshes::mean_edge_length(noisy)));
-    EXPECT_LT(changes.median(), 0.06);
-    EXPECT_LE(changes.number_above(0.05), 13);
+    EXPECT_LT(changes.median(), 0.015);
+    EXPECT_LE(changes.number_above(0.05), 3);
   }
 }

@@ -149,7 +149,8 @@ size of the mesh.
     \cgalParamType{a number}
     \cgalParamDefault{0.3; with `section_fit` 0.001}
     \cgalParamExtra{a height field has its normal free, so only a large tilt needs another round; `surface_fit` also
-    rests when a round fits no better than the one before}
+    rests when a round fits worse than the one before, and from this angle to 4/3 of it takes a mean of two rounds, so
+    that answers change little by little along the mesh}
   \cgalParamNEnd
   \cgalParamNBegin{first_normal}
     \cgalParamDescription{where normals come from that aren't given}

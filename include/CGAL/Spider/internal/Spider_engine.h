@@ -5,7 +5,7 @@
 #ifndef CGAL_SPIDER_INTERNAL_SPIDER_ENGINE_H
 #define CGAL_SPIDER_INTERNAL_SPIDER_ENGINE_H
 
-#include <CGAL/Spider/Curvature_estimate_3.h>
+#include <CGAL/Spider/internal/Estimate_blend.h>
 #include <CGAL/Spider/internal/Options.h>
 #include <CGAL/Spider/internal/Spider_fit.h>
 #include <CGAL/Spider/internal/Spider_frame.h>
@@ -20,21 +20,6 @@
 namespace CGAL {
 namespace Spider {
 namespace internal {
-
-/// `Curvature_estimate_3` on plain numbers.
-template <typename Scalar>
-struct Estimate
-{
-  Scalar min_curvature = nan<Scalar>(), max_curvature = nan<Scalar>();
-  Vec3<Scalar> min_direction = nan_vec3<Scalar>(), max_direction = nan_vec3<Scalar>(), normal = nan_vec3<Scalar>();
-  Estimate_status status = isolated;
-  Scalar coverage = 0;
-  Scalar residual = nan<Scalar>();
-  Scalar standard_error = nan<Scalar>(); ///< of mean curvature, where the estimator tells
-  bool meets_border = false;             ///< a limb ended there
-
-  bool has_fit() const { return status == ok || status == partial; }
-};
 
 /// The spider at one point after another: limbs, fit, and again from the new normal (paper, 2.2 to 2.4). Keeps its
 /// buffers, so every thread has its own.
@@ -54,7 +39,7 @@ public:
     estimate.status = insufficient;
     estimate.normal = first_normal;
     if(radius > 0 && std::isfinite(radius) && first_normal.allFinite())
-      iterate(site, radius, options_.number_of_iterations, estimate);
+      iterate(site, radius, first_normal, options_.number_of_iterations, estimate);
     return estimate;
   }
 
@@ -72,36 +57,67 @@ public:
     {
       if(!estimates[k].has_fit())
         estimates[k] = (*this)(site, radii[k], first_normal);
-      else if(!is_settled(first_normal, estimates[k].normal))
-        iterate(site, radii[k], options_.number_of_iterations - 1, estimates[k]);
+      else
+        iterate(site, radii[k], first_normal, options_.number_of_iterations - 1, estimates[k]);
     }
   }
 
 private:
-  /// grows spiders from the normal of an estimate, which may have a fit already, and from those that they lead to.
-  void iterate(const Site<View>& site, Scalar radius, int number_of_rounds, Estimate<Scalar>& estimate)
+  /// grows spiders from the normal of an estimate and from those that they lead to. If the estimate has a fit already,
+  /// that is of a spider with the given normal.
+  void iterate(const Site<View>& site, Scalar radius, Vec3<Scalar> normal, int number_of_rounds,
+               Estimate<Scalar>& estimate)
   {
     Scalar reach = radius; // of this spider: less than the radius where that leads over walls
+    Estimate_blend<Scalar> rounds;
     for(int round = 0; round < number_of_rounds; ++round)
     {
-      const Spider_frame<Scalar> frame(estimate.normal, site.reference);
+      Scalar share = estimate.has_fit() ? share_of_next_round(normal, estimate.normal) : Scalar(1);
+      if(share == 0)
+        break;
+      normal = estimate.normal;
+      const Spider_frame<Scalar> frame(normal, site.reference);
       Spider_extent<Scalar> extent;
       const Spider_fit<Scalar> fit = fit_within_walls(site, frame, reach, extent);
       const Scalar coverage = extent.coverage() * (reach / radius);
       if(!estimate.has_fit())
         estimate.coverage = coverage;
-      // A spider that saw half as much must fit twice as well.
-      const bool is_better = fit.residual * reach * estimate.coverage < estimate.residual * coverage;
-      if(!fit.determined || (Fit::rests_at_best_fit && estimate.has_fit() && !is_better))
+      if(!fit.determined)
         break; // the last round's answer stays
-      const Vec3<Scalar> previous = estimate.normal;
+      if(Fit::rests_at_best_fit && estimate.has_fit())
+      {
+        // A spider that saw half as much must fit twice as well.
+        const Scalar misfit = fit.residual * reach * estimate.coverage, last_misfit = estimate.residual * coverage;
+        share *= share_of_better_fit(misfit / last_misfit);
+        if(share == 0)
+          break;
+        rounds.add(estimate, 1 - share);
+      }
       take(fit, extent, frame, reach, estimate);
       estimate.coverage = coverage;
       if(reach < radius)
         estimate.status = partial;
-      if(is_settled(previous, estimate.normal))
-        break;
     }
+    estimate = rounds.completed_by(estimate);
+  }
+
+  /// returns which share of the answer the next round gets, given the normals of the last round's spider and of its
+  /// fit: nothing if the normal hardly moved, all if it moved clearly. `surface_fit`'s rounds come in little by little
+  /// in between, lest answers jump where the next vertex takes one more round.
+  Scalar share_of_next_round(const Vec3<Scalar>& normal, const Vec3<Scalar>& found) const
+  {
+    // Of what still is continuous, the least: rounds of spiders that stood aslant are the worse ones.
+    constexpr Scalar clearly = Fit::rests_at_best_fit ? Scalar(4) / 3 : Scalar(1);
+    const Scalar least = options_.convergence_angle;
+    return 1 - falling(angle_between(normal, found), least, clearly * least);
+  }
+
+  /// returns which share of that the next round keeps, given its misfit by the last one's: all if it fits clearly
+  /// better, nothing if it fits clearly worse.
+  static Scalar share_of_better_fit(Scalar ratio_of_misfits)
+  {
+    constexpr Scalar clearly_better = Scalar(0.5), clearly_worse = Scalar(1.2);
+    return falling(ratio_of_misfits, clearly_better, clearly_worse);
   }
 
   /// leaves those without a fit that limbs climbing walls spoil.
@@ -117,11 +133,6 @@ private:
       if(fit.determined)
         take(fit, extent, frame, radii.back(), estimates[k]);
     }
-  }
-
-  bool is_settled(const Vec3<Scalar>& previous, const Vec3<Scalar>& normal) const
-  {
-    return angle_between(previous, normal) <= options_.convergence_angle;
   }
 
   /// grows a spider and fits it. Where most limbs climb walls, the surface is smaller than the reach, as a sphere may
