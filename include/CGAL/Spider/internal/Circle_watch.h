@@ -5,22 +5,22 @@
 #ifndef CGAL_SPIDER_INTERNAL_CIRCLE_WATCH_H
 #define CGAL_SPIDER_INTERNAL_CIRCLE_WATCH_H
 
-#include <CGAL/Spider/internal/Lanes.h>
+#include <CGAL/Spider/internal/Lane_edges.h>
 
-#include <array>
 #include <cstddef>
 
 namespace CGAL {
 namespace Spider {
 namespace internal {
 
-/// Tells where limbs in lockstep come back to: to the edge where they began, or, in a circle, to one that they passed. As
-/// such it remembers the edges of steps 1, 2, 4, 8 and so on, each until the next (Brent).
-template <typename Halfedge>
+/// Tells where limbs in lockstep come back to: to the edge where they began, or, in a circle, to one that they passed.
+/// As such it remembers the edges of steps 1, 2, 4, 8 and so on, each until the next (Brent).
+template <typename View>
 class Circle_watch
 {
 public:
-  using Edges = std::array<Halfedge, number_of_lanes>;
+  using Edges = Lane_edges<View>;
+  using Mask = Lane_mask<typename View::Scalar>;
 
   explicit Circle_watch(const Edges& first) : first_(first), passed_(first) {}
 
@@ -33,17 +33,8 @@ public:
     next_to_remember_ *= 2;
   }
 
-  bool is_first(int lane, Halfedge edge) const { return edge == first_[lane]; }
-  bool is_passed(int lane, Halfedge edge) const { return edge == passed_[lane]; }
-
-  /// tells whether any limb that has moved on came back.
-  bool any(const Edges& edges, const Edges& before) const
-  {
-    bool any = false;
-    for(int l = 0; l < number_of_lanes; ++l)
-      any |= (edges[l] != before[l]) & ((edges[l] == first_[l]) | (edges[l] == passed_[l]));
-    return any;
-  }
+  Mask are_first(const Edges& edges) const { return edges == first_; }
+  Mask are_passed(const Edges& edges) const { return edges == passed_; }
 
 private:
   Edges first_, passed_;

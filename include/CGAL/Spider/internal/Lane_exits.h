@@ -6,10 +6,8 @@
 #define CGAL_SPIDER_INTERNAL_LANE_EXITS_H
 
 #include <CGAL/Spider/internal/Cut.h>
-#include <CGAL/Spider/internal/Lanes.h>
+#include <CGAL/Spider/internal/Lane_edges.h>
 #include <CGAL/Spider/internal/Star.h>
-
-#include <array>
 
 namespace CGAL {
 namespace Spider {
@@ -20,21 +18,21 @@ template <typename View>
 struct Lane_exits
 {
   using Scalar = typename View::Scalar;
-  using Halfedge = typename View::Halfedge;
+  using Edges = Lane_edges<View>;
   using Values = Lanes<Scalar>;
   using Mask = Lane_mask<Scalar>;
 
   Values cosine, sine, shift;
-  std::array<Halfedge, number_of_lanes> edge;
+  Edges edge;
   Lane_points<Scalar> source, target; ///< the ends of the edges
   Values source_side, target_side;
 
-  /// finds the edges by which limbs in the directions of the given cosines and sines leave the star: among those that its
-  /// rim offers, as `first_exit()` does, where there is one and no doubt of it.
-  Lane_exits(const View& view, const Site<View>& site, const Star<View>& star, const Values& cosines, const Values& sines)
-    : cosine(cosines), sine(sines), shift(star.local.rounding())
+  /// finds the edges by which limbs in the directions of the given cosines and sines leave the star: among those that
+  /// its rim offers, as `first_exit()` does, where there is one and no doubt of it.
+  Lane_exits(const View& view, const Site<View>& site, const Star<View>& star, const Values& cosines,
+             const Values& sines)
+    : cosine(cosines), sine(sines), shift(star.local.rounding()), edge(site.rim.front())
   {
-    edge.fill(site.rim.front());
     const Mask all = Values(1) > Values(0);
     Mask offered = !all, doubtful = !all;
     lead_to_query_point(all);
@@ -53,11 +51,11 @@ struct Lane_exits
       offered = offered | ahead;
       replace_source(ahead, {sx, sy, Values(e.source.z())}, s_side);
       replace_target(ahead, {tx, ty, Values(e.target.z())}, t_side);
-      const auto is_ahead = ahead.values();
-      for(int l = 0; l < number_of_lanes; ++l)
-        edge[l] = is_ahead[l] ? e.edge : edge[l];
+      edge = select(ahead, Edges(e.edge), edge);
     }
     doubtful = doubtful | !offered;
+    if(!doubtful.any())
+      return;
     for(int l = 0; l < number_of_lanes; ++l)
       if(doubtful[l])
         find_alone(l, view, site, star.local);
@@ -76,6 +74,30 @@ struct Lane_exits
   {
     target = select(where, point, target);
     target_side = select(where, side, target_side);
+  }
+
+  /// tells where ends of edges aren't so far that squares of what is made of coordinates would overflow.
+  static Mask is_near(const Lane_points<Scalar>& a)
+  {
+    constexpr Scalar farthest = Scalar(1e30);
+    return absolute(a.x) + absolute(a.y) + absolute(a.z) < Values(farthest);
+  }
+
+  /// crosses edges into the next faces and finds the edges by which the planes leave those, for limbs that go and may
+  /// go on there. Returns which these are.
+  Mask cross(const View& view, const Local_coordinates<Scalar>& local, const Mask& going)
+  {
+    Mask is_open;
+    const Edges third = edge.beyond(view, is_open);
+    const Lane_points<Scalar> apex = local(third.sources(view));
+    const Values apex_side = side(apex.x, apex.y), zero(0);
+    const Mask goes_on = going & is_open & is_near(apex);
+    const Mask is_of_source = (source_side >= zero) == (apex_side >= zero);
+    const Mask at_source = goes_on & is_of_source, at_target = goes_on & !is_of_source;
+    replace_source(at_source, apex, apex_side);
+    replace_target(at_target, apex, apex_side);
+    edge = select(at_source, third, select(at_target, third.preceding(view), edge));
+    return goes_on;
   }
 
   /// has limbs lead back to the query point.
@@ -98,7 +120,7 @@ private:
       source.set(l, nan_vec3<Scalar>());
       return;
     }
-    edge[l] = exit.edge;
+    edge.set(l, exit.edge);
     source.set(l, local(view.point(view.source(exit.edge))));
     target.set(l, local(view.point(view.target(exit.edge))));
     source_side.set(l, exit.source.side);

@@ -2,25 +2,30 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Values of several limbs that go in lockstep. With GCC and Clang, packs of doubles are vectors of the compiler's own
-// vector extension, as wide as the machine's registers, but of four at most: eight are no faster, since what costs is to
-// gather the mesh's data. Elsewhere, and for other types, a pack is a single value. The operations are the same, so the
+// Values of several limbs that go in lockstep, in packs. The operations are the same whatever the machine, so the
 // answers are.
 
 #ifndef CGAL_SPIDER_INTERNAL_LANES_H
 #define CGAL_SPIDER_INTERNAL_LANES_H
 
-#include <Eigen/Core>
+#include <CGAL/Spider/internal/Pack.h>
+#include <CGAL/Spider/internal/unrolled_loops.h>
 
 #include <array>
 #include <cstring>
 #include <type_traits>
 
-#if defined(__GNUC__)
-#define CGAL_SPIDER_FOR_EACH_PACK(I) _Pragma("GCC unroll 8") for(int I = 0; I < number_of_packs; ++I)
-#else
-#define CGAL_SPIDER_FOR_EACH_PACK(I) for(int I = 0; I < number_of_packs; ++I)
-#endif
+#define CGAL_SPIDER_FOR_EACH_PACK(I) CGAL_SPIDER_FOR_EACH(I, 0, number_of_packs)
+
+/// Defines an operator by what it does in each pack.
+#define CGAL_SPIDER_LANE_OPERATOR(RESULT, LANES, OP)        \
+  friend RESULT operator OP(const LANES& a, const LANES& b) \
+  {                                                         \
+    RESULT result;                                          \
+    CGAL_SPIDER_FOR_EACH_PACK(i)                            \
+      result.packs[i] = a.packs[i] OP b.packs[i];           \
+    return result;                                          \
+  }
 
 namespace CGAL {
 namespace Spider {
@@ -28,27 +33,6 @@ namespace internal {
 
 /// How many limbs go in lockstep: enough to have something to do for some while others wait for memory.
 constexpr int number_of_lanes = 8;
-
-template <typename T>
-struct Pack
-{
-  using type = T;
-  using Mask = bool;
-};
-
-#if defined(__GNUC__)
-template <>
-struct Pack<double>
-{
-#if defined(__AVX__)
-  static constexpr int bytes = 32;
-#else
-  static constexpr int bytes = 16;
-#endif
-  typedef double type __attribute__((vector_size(bytes)));
-  typedef long long Mask __attribute__((vector_size(bytes)));
-};
-#endif
 
 template <typename T>
 using Lane_flag = std::conditional_t<std::is_same<typename Pack<T>::Mask, bool>::value, bool, long long>;
@@ -77,46 +61,18 @@ struct Lane_mask
     Packed any = packs[0];
     for(int i = 1; i < number_of_packs; ++i)
       any = any | packs[i];
-    if constexpr(std::is_same<Packed, bool>::value)
-      return any;
-    else
-    {
-      long long bits = 0;
-      for(int i = 0; i < number_of_lanes / number_of_packs; ++i)
-        bits |= any[i];
-      return bits != 0;
-    }
+    return is_any(any);
   }
 
-  friend Lane_mask operator&(const Lane_mask& a, const Lane_mask& b)
-  {
-    Lane_mask result;
-    CGAL_SPIDER_FOR_EACH_PACK(i)
-    result.packs[i] = a.packs[i] & b.packs[i];
-    return result;
-  }
-
-  friend Lane_mask operator|(const Lane_mask& a, const Lane_mask& b)
-  {
-    Lane_mask result;
-    CGAL_SPIDER_FOR_EACH_PACK(i)
-    result.packs[i] = a.packs[i] | b.packs[i];
-    return result;
-  }
+  CGAL_SPIDER_LANE_OPERATOR(Lane_mask, Lane_mask, &)
+  CGAL_SPIDER_LANE_OPERATOR(Lane_mask, Lane_mask, |)
+  CGAL_SPIDER_LANE_OPERATOR(Lane_mask, Lane_mask, ==)
 
   friend Lane_mask operator!(const Lane_mask& a)
   {
     Lane_mask result;
     CGAL_SPIDER_FOR_EACH_PACK(i)
-    result.packs[i] = a.packs[i] == 0;
-    return result;
-  }
-
-  friend Lane_mask operator==(const Lane_mask& a, const Lane_mask& b)
-  {
-    Lane_mask result;
-    CGAL_SPIDER_FOR_EACH_PACK(i)
-    result.packs[i] = a.packs[i] == b.packs[i];
+      result.packs[i] = a.packs[i] == 0;
     return result;
   }
 };
@@ -135,7 +91,7 @@ struct Lanes
   Lanes(T value)
   {
     CGAL_SPIDER_FOR_EACH_PACK(i)
-    packs[i] = value - Packed{};
+      packs[i] = value - Packed{};
   }
 
   explicit Lanes(const std::array<T, number_of_lanes>& values) { std::memcpy(packs, values.data(), sizeof(packs)); }
@@ -157,22 +113,13 @@ struct Lanes
       packs[lane * number_of_packs / number_of_lanes][lane % (number_of_lanes / number_of_packs)] = value;
   }
 
-#define CGAL_SPIDER_LANE_OPERATOR(RESULT, OP)                   \
-  friend RESULT operator OP(const Lanes& a, const Lanes& b)     \
-  {                                                             \
-    RESULT result;                                              \
-    CGAL_SPIDER_FOR_EACH_PACK(i)                                \
-    result.packs[i] = a.packs[i] OP b.packs[i];                 \
-    return result;                                              \
-  }
-  CGAL_SPIDER_LANE_OPERATOR(Lanes, +)
-  CGAL_SPIDER_LANE_OPERATOR(Lanes, -)
-  CGAL_SPIDER_LANE_OPERATOR(Lanes, *)
-  CGAL_SPIDER_LANE_OPERATOR(Lanes, /)
-  CGAL_SPIDER_LANE_OPERATOR(Mask, <)
-  CGAL_SPIDER_LANE_OPERATOR(Mask, >)
-  CGAL_SPIDER_LANE_OPERATOR(Mask, >=)
-#undef CGAL_SPIDER_LANE_OPERATOR
+  CGAL_SPIDER_LANE_OPERATOR(Lanes, Lanes, +)
+  CGAL_SPIDER_LANE_OPERATOR(Lanes, Lanes, -)
+  CGAL_SPIDER_LANE_OPERATOR(Lanes, Lanes, *)
+  CGAL_SPIDER_LANE_OPERATOR(Lanes, Lanes, /)
+  CGAL_SPIDER_LANE_OPERATOR(Mask, Lanes, <)
+  CGAL_SPIDER_LANE_OPERATOR(Mask, Lanes, >)
+  CGAL_SPIDER_LANE_OPERATOR(Mask, Lanes, >=)
 
   Lanes& operator+=(const Lanes& a) { return *this = *this + a; }
 
@@ -180,7 +127,7 @@ struct Lanes
   {
     Lanes result;
     CGAL_SPIDER_FOR_EACH_PACK(i)
-    result.packs[i] = condition.packs[i] ? a.packs[i] : b.packs[i];
+      result.packs[i] = condition.packs[i] ? a.packs[i] : b.packs[i];
     return result;
   }
 
@@ -188,17 +135,11 @@ struct Lanes
   friend Lanes smaller(const Lanes& a, const Lanes& b) { return select(a < b, a, b); }
   friend Lanes absolute(const Lanes& a) { return select(a < Lanes(0), Lanes(0) - a, a); }
 
-  /// returns square roots as exact as `std::sqrt()`'s, which may set errno and so isn't for vectors: hence Eigen's.
   friend Lanes square_root(const Lanes& a)
   {
     Lanes result;
     CGAL_SPIDER_FOR_EACH_PACK(i)
-    {
-      Eigen::Array<T, number_of_lanes / number_of_packs, 1> roots;
-      std::memcpy(roots.data(), &a.packs[i], sizeof(Packed));
-      roots = roots.sqrt();
-      std::memcpy(&result.packs[i], roots.data(), sizeof(Packed));
-    }
+      result.packs[i] = exact_square_root<T>(a.packs[i]);
     return result;
   }
 

@@ -45,8 +45,8 @@ public:
     Values is_limb(1);
     for(int l = number_of_limbs; l < number_of_lanes; ++l)
       is_limb.set(l, 0);
-    growing_ = (is_limb > Values(0)) & is_near(at_.source) & is_near(at_.target);
-    resting_ = closed_ = !(is_limb >= Values(0));
+    growing_ = (is_limb > Values(0)) & at_.is_near(at_.source) & at_.is_near(at_.target);
+    resting_ = complete_ = closed_ = !(is_limb >= Values(0));
     end_.fill(site.end_at_once);
     if(view_.has_growth_costs())
       enter_faces(growing_);
@@ -75,7 +75,7 @@ public:
       visit(take_segments());
       cross_edges();
       circles_.note_step(at_.edge);
-      if(some_rest_ && shares.size() > 1)
+      if(shares.size() > 1 && resting_.any())
         send_on(shares, next, arrive);
     }
     for(int l = 0; l < number_of_lanes; ++l)
@@ -84,21 +84,13 @@ public:
   }
 
   Scalar reached(int lane) const { return reached_[lane]; }
-  Limb_end end(int lane) const { return end_[lane]; }
+  Limb_end end(int lane) const { return complete_[lane] ? radius_reached : end_[lane]; }
   /// tells whether a limb has led farther from the tangent plane than along it.
   bool climbs(int lane) const { return height_[lane] > reached_[lane]; }
   const Values& end_along_direction() const { return y_; }
   const Values& end_along_normal() const { return z_; }
 
 private:
-  /// Beyond, squares of what is made of coordinates would overflow.
-  static constexpr Scalar farthest() { return Scalar(1e30); }
-
-  static Mask is_near(const Lane_points<Scalar>& a)
-  {
-    return absolute(a.x) + absolute(a.y) + absolute(a.z) < Values(farthest());
-  }
-
   Segments<Scalar> take_segments()
   {
     const Values zero(0), one(1);
@@ -123,17 +115,12 @@ private:
     height_ = larger(height_, absolute(z_));
     reached_ = select(growing_, larger(reached_, arrived), reached_);
     const Mask is_too_long = growing_ & (length_ > Values(longest_limb_in_radii) * share_of_radius_);
-    const Mask ended = is_last | is_too_long;
-    if(ended.any())
-    {
-      for(int l = 0; l < number_of_lanes; ++l)
-        end_[l] = is_last[l] && !(limit_.limit()[l] < share_of_radius_[l]) ? radius_reached
-                  : ended[l]                                               ? slowed
-                                                                           : end_[l];
-      growing_ = growing_ & !ended;
-      resting_ = ended;
-      some_rest_ = true;
-    }
+    resting_ = is_last | is_too_long;
+    growing_ = growing_ & !resting_;
+    const Mask completes = is_last & !(limit_.limit() < share_of_radius_), is_slowed = resting_ & !completes;
+    complete_ = complete_ | completes;
+    if(is_slowed.any())
+      note_end(is_slowed, slowed);
     return segments;
   }
 
@@ -152,44 +139,16 @@ private:
     }
     limit_.set_radius(share_of_radius_);
     growing_ = growing_ | (goes_on > Values(0));
-    some_rest_ = false;
+    complete_ = complete_ & !growing_;
   }
 
   /// crosses edges into the next faces and finds the edges by which the planes leave those.
   void cross_edges()
   {
-    // Loops that do one thing each: what has to wait for memory in one lane waits in all of them together.
-    std::array<Halfedge, number_of_lanes> third, second;
-    std::array<Scalar, number_of_lanes> is_open, x, y, z;
-    for(int l = 0; l < number_of_lanes; ++l)
-    {
-      const auto beyond = view_.beyond(at_.edge[l]);
-      third[l] = beyond.third;
-      is_open[l] = beyond.is_open;
-    }
-    for(int l = 0; l < number_of_lanes; ++l)
-      second[l] = view_.preceding(third[l]);
-    for(int l = 0; l < number_of_lanes; ++l)
-    {
-      const auto& apex = view_.point(view_.source(third[l]));
-      x[l] = apex.x();
-      y[l] = apex.y();
-      z[l] = apex.z();
-    }
-    const Lane_points<Scalar> apex = local_({Values(x), Values(y), Values(z)});
-    const Values apex_side = at_.side(apex.x, apex.y), zero(0);
-    const Mask goes_on = growing_ & !closed_ & (Values(is_open) > zero) & is_near(apex), stops = growing_ & !goes_on;
-    const Mask is_of_source = (at_.source_side >= zero) == (apex_side >= zero);
-    const Mask at_source = goes_on & is_of_source, at_target = goes_on & !is_of_source;
-    at_.replace_source(at_source, apex, apex_side);
-    at_.replace_target(at_target, apex, apex_side);
+    const Mask goes_on = at_.cross(view_, local_, growing_ & !closed_), stops = growing_ & !goes_on;
     if(stops.any())
       note_stops(stops);
-    const auto takes_third = at_source.values(), takes_second = at_target.values();
-    const auto here = at_.edge;
-    for(int l = 0; l < number_of_lanes; ++l)
-      at_.edge[l] = takes_third[l] ? third[l] : takes_second[l] ? second[l] : here[l];
-    if(circles_.any(at_.edge, here))
+    if((goes_on & (circles_.are_first(at_.edge) | circles_.are_passed(at_.edge))).any())
       note_circles();
     if(view_.has_growth_costs())
       enter_faces(goes_on);
@@ -216,6 +175,12 @@ private:
     limit_.enter(costs, reached_);
   }
 
+  void note_end(const Mask& of_limbs, Limb_end end)
+  {
+    for(int l = 0; l < number_of_lanes; ++l)
+      end_[l] = of_limbs[l] ? end : end_[l];
+  }
+
   /// ends limbs that left the mesh, whose sections are closed, or that lost their way.
   void note_stops(const Mask& stops)
   {
@@ -236,22 +201,12 @@ private:
   /// go round in circles elsewhere end.
   void note_circles()
   {
-    Values closes(0), ends(0);
-    for(int l = 0; l < number_of_lanes; ++l)
-    {
-      if(!growing_[l])
-        continue;
-      if(circles_.is_first(l, at_.edge[l]))
-        closes.set(l, 1);
-      else if(circles_.is_passed(l, at_.edge[l]))
-      {
-        end_[l] = degenerate;
-        ends.set(l, 1);
-      }
-    }
-    closed_ = closed_ | (closes > Values(0));
-    growing_ = growing_ & !(ends > Values(0));
-    at_.lead_to_query_point(closes > Values(0));
+    const Mask closes = growing_ & circles_.are_first(at_.edge);
+    const Mask ends = growing_ & !closes & circles_.are_passed(at_.edge);
+    note_end(ends, degenerate);
+    closed_ = closed_ | closes;
+    growing_ = growing_ & !ends;
+    at_.lead_to_query_point(closes);
   }
 
   static Values between(const Values& from, const Values& to, const Values& share)
@@ -263,15 +218,15 @@ private:
   const View& view_;
   const Local_coordinates<Scalar>& local_;
   Lane_exits<View> at_;
-  Circle_watch<Halfedge> circles_;
+  Circle_watch<View> circles_;
   bool by_arc_length_;
   Values y_, z_;                     ///< where the limb is, along its direction and the normal
   Values length_, height_, reached_; ///< how long it is, how far from the tangent plane it was, and how far it came
   Growth_limit<Values> limit_;
-  Values share_of_radius_{1};       ///< that is walked to
-  Mask growing_, resting_, closed_; ///< a limb rests after the step that led it that far
-  bool some_rest_ = false;
-  std::array<Limb_end, number_of_lanes> end_;
+  Values share_of_radius_{1}; ///< that is walked to
+  Mask growing_, closed_;
+  Mask resting_, complete_; ///< a limb rests after the step that led it that far, and is complete if it came that far
+  std::array<Limb_end, number_of_lanes> end_; ///< of those that aren't complete
 };
 
 } // namespace internal

@@ -197,9 +197,21 @@ public:
     return {second, following(second)};
   }
 
-private:
-  // Set in `thirds_across_`, so that a single comparison tells where a limb of one patch can go on.
+  // The tables, for whoever looks up several places at once. Flags are set in that of halfedges, so that a single
+  // comparison tells where a limb of one patch can go on.
   static constexpr Halfedge first_flagged = 1u << 30, closed_flag = first_flagged, feature_flag = 1u << 31;
+  const Halfedge* thirds_across() const { return thirds_across_.data(); }
+  const Vertex* sources() const { return sources_.data(); }
+  const Scalar* coordinates() const { return points_.data()->data(); }
+
+  /// returns the place of a halfedge, or of several in lanes, in the tables: 3f, 3f + 1 or 3f + 2.
+  template <typename Halfedges>
+  static Halfedges slot(const Halfedges& h)
+  {
+    return h - (h >> 2);
+  }
+
+private:
 
   bool has_flag(Halfedge h, Halfedge flag) const
   {
@@ -208,7 +220,6 @@ private:
   }
 
   static Halfedge following(Halfedge h) { return (h & 3) == 2 ? h - 2 : h + 1; }
-  static Halfedge slot(Halfedge h) { return h - (h >> 2); } ///< 3f, 3f + 1 or 3f + 2: no place is left out
 
   std::vector<Vertex> sources_;
   std::vector<Halfedge> thirds_across_; ///< for each halfedge, the third edge of the face across, which starts at its apex

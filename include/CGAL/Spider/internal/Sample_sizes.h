@@ -13,57 +13,55 @@
 
 #include <CGAL/number_type_config.h>
 
-#include <limits>
-
 namespace CGAL {
 namespace Spider {
 namespace internal {
 
 /// Sums over the samples of limbs in lockstep, each in the middle of a segment of the length l at the distance y from
-/// the query point, with the weight w. Lengths are in units of the radius.
+/// the query point: it stands for an area in proportion to y l, by which its weight w is. Lengths are in units of the
+/// radius.
 template <typename Scalar>
 struct Sample_sizes
 {
   using Values = Lanes<Scalar>;
 
-  Values parts{0}, cubed_lengths{0};     ///< sums of y l, which is in proportion to area, and of y l^3
-  Values squares{0}, squares_by_part{0}; ///< sums of w^2 and of w^2 / (y l)
+  Values areas{0}, cubed_lengths{0};     ///< sums of y l and of y l^3
+  Values squares{0}, squares_by_area{0}; ///< sums of w^2 and of w^2 / (y l)
 
-  void add(const Values& y, const Values& length, const Values& weight)
+  void add(const Values& area, const Values& length, const Values& weight_by_area)
   {
-    const Values part = y * length;
-    parts += part;
-    cubed_lengths += part * length * length;
-    add_weight(part, weight);
+    areas += area;
+    cubed_lengths += area * length * length;
+    add_weight(area, weight_by_area);
   }
 
   /// adds a sample whose segment isn't to count for the size of triangles.
-  void add_weight(const Values& part, const Values& weight)
+  void add_weight(const Values& area, const Values& weight_by_area)
   {
-    const Values square = weight * weight;
-    squares += square;
-    squares_by_part += square / larger(part, Values(std::numeric_limits<Scalar>::min()));
+    const Values weight = area * weight_by_area;
+    squares += weight * weight;
+    squares_by_area += weight * weight_by_area;
   }
 
   void take_lane(int lane, const Sample_sizes& other)
   {
-    parts.set(lane, other.parts[lane]);
+    areas.set(lane, other.areas[lane]);
     cubed_lengths.set(lane, other.cubed_lengths[lane]);
     squares.set(lane, other.squares[lane]);
-    squares_by_part.set(lane, other.squares_by_part[lane]);
+    squares_by_area.set(lane, other.squares_by_area[lane]);
   }
 
   void operator+=(const Sample_sizes& other)
   {
-    parts += other.parts;
+    areas += other.areas;
     cubed_lengths += other.cubed_lengths;
     squares += other.squares;
-    squares_by_part += other.squares_by_part;
+    squares_by_area += other.squares_by_area;
   }
 
   /// returns twice the area of a triangle, on average over the spider's area. By lines in all places and directions,
   /// the mean cube of a triangle's chords is 3 / pi times its area times their mean (Crofton).
-  Scalar doubled_area() const { return Scalar(2 * CGAL_PI / 3) * cubed_lengths.sum() / parts.sum(); }
+  Scalar doubled_area() const { return Scalar(2 * CGAL_PI / 3) * cubed_lengths.sum() / areas.sum(); }
 
   /// returns in how many values noise is independent, given the sum of weights. A mesh has half as many vertices as
   /// triangles, so in the area between limbs that a sample stands for, there are as many as doubled areas. Where these
@@ -71,7 +69,7 @@ struct Sample_sizes
   Scalar independent_values(Scalar sum_of_weights, Scalar angle_between_limbs) const
   {
     return sum_of_weights * sum_of_weights /
-           (squares.sum() + doubled_area() / angle_between_limbs * squares_by_part.sum());
+           (squares.sum() + doubled_area() / angle_between_limbs * squares_by_area.sum());
   }
 };
 

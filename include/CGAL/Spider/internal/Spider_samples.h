@@ -35,9 +35,9 @@ namespace internal {
 /// that are shorter than `short_length` count by their length, lest rounding counts where a limb passes through a
 /// vertex.
 template <typename Scalar>
-Lanes<Scalar> weight_of_length(const Lanes<Scalar>& length, Scalar short_length)
+Lanes<Scalar> weight_by_area(const Lanes<Scalar>& length, Scalar short_length)
 {
-  return length / square_root(length + Lanes<Scalar>(short_length));
+  return Lanes<Scalar>(1) / square_root(length + Lanes<Scalar>(short_length));
 }
 
 /// The samples of limbs in lockstep, one in the middle of each segment, for a height field of the given degree.
@@ -73,9 +73,9 @@ public:
       middle[k] = between(at_end_[k], crossing, next.middle_share);
       at_end_[k] = between(at_end_[k], crossing, next.share);
     }
-    const Values weight = next.middle * weight_of_length(next.gain, short_length);
-    moments_.add(next.middle, middle, weight);
-    sizes_.add(next.middle, next.gain, weight);
+    const Values area = next.middle * next.gain, by_area = weight_by_area(next.gain, short_length);
+    moments_.add(next.middle, middle, area * by_area);
+    sizes_.add(area, next.gain, by_area);
   }
 
   /// takes over the samples of one limb, which are complete.
@@ -94,12 +94,12 @@ public:
     is_complete_.set(lane, is_complete ? 1 : 0);
   }
 
-  /// adds a sample of the weight at the ends of complete limbs, as of segments of the length.
-  void add_rim(const Values& length, const Values& weight_at_rim)
+  /// adds a sample at the ends of complete limbs, which stands for an area and is weighed by that.
+  void add_rim(Scalar area, const Values& weight_by_area)
   {
-    const Values weight = is_complete_ * weight_at_rim;
-    moments_.add(end_, at_end_, weight);
-    sizes_.add_weight(length, weight);
+    const Values areas = is_complete_ * Values(area);
+    moments_.add(end_, at_end_, areas * weight_by_area);
+    sizes_.add_weight(areas, weight_by_area);
   }
 
   const Moments& moments() const { return moments_; }
@@ -147,11 +147,11 @@ struct Spider_samples
     constexpr Scalar square_of_edge_by_doubled_area = Scalar(1.1547005); // of equilateral triangles: 2 / sqrt(3)
     const Scalar edge_length =
       std::min(std::sqrt(square_of_edge_by_doubled_area * sizes().doubled_area()), share_of_radius);
-    const Lanes<Scalar> length(edge_length / segments_per_edge_length),
-      weight =
-        Lanes<Scalar>(share * segments_per_edge_length * share_of_radius) * weight_of_length(length, short_length);
+    const Scalar length = edge_length / segments_per_edge_length;
+    const Lanes<Scalar> by_area = Lanes<Scalar>(share * segments_per_edge_length * share_of_radius) *
+                                  weight_by_area(Lanes<Scalar>(length), short_length);
     for(auto& bundle : bundles)
-      bundle.add_rim(length, weight);
+      bundle.add_rim(length, by_area);
   }
 
   Sample_sizes<Scalar> sizes() const

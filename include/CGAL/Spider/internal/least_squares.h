@@ -7,6 +7,8 @@
 #ifndef CGAL_SPIDER_INTERNAL_LEAST_SQUARES_H
 #define CGAL_SPIDER_INTERNAL_LEAST_SQUARES_H
 
+#include <CGAL/Spider/internal/unrolled_loops.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -53,45 +55,47 @@ struct Least_squares_fit
 template <typename Scalar, int Size>
 struct Cholesky
 {
-  std::array<std::array<Scalar, Size>, Size> lower;
-  std::array<Scalar, Size> inverse; ///< of the diagonal, 0 for terms that are left out
+  std::array<std::array<Scalar, Size>, Size> lower; ///< below the diagonal
+  std::array<Scalar, Size> inverse;                 ///< of the diagonal, 0 for terms that are left out
 
   template <typename LeastPivot>
   Cholesky(const std::array<std::array<Scalar, Size>, Size>& matrix, const std::array<Scalar, Size>& scale,
            const LeastPivot& least_pivot)
   {
-    for(int i = 0; i < Size; ++i)
+    CGAL_SPIDER_FOR_EACH(i, 0, Size)
+      CGAL_SPIDER_FOR_EACH(k, 0, i + 1)
+        lower[i][k] = matrix[i][k] * scale[i] * scale[k];
+    // Column by column: what is left of all later columns doesn't have to wait for one another.
+    CGAL_SPIDER_FOR_EACH(k, 0, Size)
     {
-      Scalar pivot = matrix[i][i] * scale[i] * scale[i];
-      for(int k = 0; k < i; ++k)
-      {
-        Scalar left = matrix[i][k] * scale[i] * scale[k];
-        for(int j = 0; j < k; ++j)
-          left -= lower[i][j] * lower[k][j];
-        lower[i][k] = left * inverse[k];
-        pivot -= lower[i][k] * lower[i][k];
-      }
-      inverse[i] = pivot > least_pivot(i) ? 1 / std::sqrt(pivot) : Scalar(0);
+      const Scalar pivot = lower[k][k];
+      inverse[k] = pivot > least_pivot(k) ? 1 / std::sqrt(pivot) : Scalar(0);
+      CGAL_SPIDER_FOR_EACH(i, k + 1, Size)
+        lower[i][k] *= inverse[k];
+      CGAL_SPIDER_FOR_EACH(j, k + 1, Size)
+        CGAL_SPIDER_FOR_EACH(i, j, Size)
+          lower[i][j] -= lower[i][k] * lower[j][k];
     }
   }
 
   void substitute_forward(std::array<Scalar, Size>& x) const
   {
-    for(int i = 0; i < Size; ++i)
+    CGAL_SPIDER_FOR_EACH(j, 0, Size)
     {
-      for(int j = 0; j < i; ++j)
+      x[j] *= inverse[j];
+      CGAL_SPIDER_FOR_EACH(i, j + 1, Size)
         x[i] -= lower[i][j] * x[j];
-      x[i] *= inverse[i];
     }
   }
 
   void substitute_backward(std::array<Scalar, Size>& x) const
   {
-    for(int i = Size; i-- > 0;)
+    CGAL_SPIDER_FOR_EACH(k, 0, Size)
     {
-      for(int j = i + 1; j < Size; ++j)
+      const int j = Size - 1 - k;
+      x[j] *= inverse[j];
+      CGAL_SPIDER_FOR_EACH(i, 0, j)
         x[i] -= lower[j][i] * x[j];
-      x[i] *= inverse[i];
     }
   }
 };

@@ -122,7 +122,7 @@ private:
       });
   }
 
-  static constexpr Scalar short_segment = Scalar(0.01); ///< a hundredth of the radius, see `weight_of_length()`
+  static constexpr Scalar short_segment = Scalar(0.01); ///< a hundredth of the radius, see `weight_by_area()`
 
   /// returns the terms at the query point, interpolated from the vertices that it lies between, and its height, 0.
   static Functions functions_at_origin(const View& view, const Site<View>& site, const Local_coordinates<Scalar>& local)

@@ -1,0 +1,119 @@
+// Copyright (c) 2026 The Spider developers.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// What machines do with several numbers at once. With GCC and Clang, packs of doubles are vectors of the compiler's own
+// vector extension, as wide as the machine's registers. Elsewhere, and for other types, a pack is a single value. What
+// the extension has no operators for is written twice: portably, and for the machines that have an instruction.
+
+#ifndef CGAL_SPIDER_INTERNAL_PACK_H
+#define CGAL_SPIDER_INTERNAL_PACK_H
+
+#include <Eigen/Core>
+
+#if defined(__AVX2__)
+#include <immintrin.h>
+#endif
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <type_traits>
+
+// Packs are of four doubles at most: GCC 12 makes wrong code of complementary comparisons of eight.
+#if defined(__GNUC__) && defined(__AVX2__)
+#define CGAL_SPIDER_HAS_WIDE_PACKS
+#endif
+
+namespace CGAL {
+namespace Spider {
+namespace internal {
+
+/// Several numbers, what may hold of each, and as many places in tables.
+template <typename T>
+struct Pack
+{
+  using type = T;
+  using Mask = bool;
+  using Indices = long long;
+};
+
+#if defined(__GNUC__)
+template <>
+struct Pack<double>
+{
+#if defined(CGAL_SPIDER_HAS_WIDE_PACKS)
+  static constexpr int bytes = 32;
+#else
+  static constexpr int bytes = 16;
+#endif
+  typedef double type __attribute__((vector_size(bytes)));
+  typedef long long Mask __attribute__((vector_size(bytes)));
+  using Indices = Mask;
+};
+#endif
+
+/// tells whether a condition holds in any lane of a pack.
+template <typename Mask>
+bool is_any(const Mask& mask)
+{
+  if constexpr(std::is_same<Mask, bool>::value)
+    return mask;
+  else
+  {
+    long long bits = 0;
+    for(std::size_t i = 0; i < sizeof(Mask) / sizeof(bits); ++i)
+      bits |= mask[i];
+    return bits != 0;
+  }
+}
+
+#if defined(CGAL_SPIDER_HAS_WIDE_PACKS)
+inline bool is_any(const Pack<double>::Mask& mask) { return _mm256_movemask_pd((__m256d)mask) != 0; }
+#endif
+
+/// returns square roots as exact as `std::sqrt()`'s, which may set errno and so isn't for vectors: hence Eigen's.
+template <typename T>
+typename Pack<T>::type exact_square_root(const typename Pack<T>::type& a)
+{
+  typename Pack<T>::type roots;
+  Eigen::Array<T, sizeof(a) / sizeof(T), 1> values;
+  std::memcpy(values.data(), &a, sizeof(a));
+  values = values.sqrt();
+  std::memcpy(&roots, values.data(), sizeof(a));
+  return roots;
+}
+
+// Places of a table are read one by one, but for machines that read several at once.
+
+template <typename Element, typename Indices, typename Packed>
+void read(const Element* table, const Indices& at, Packed& elements)
+{
+  if constexpr(std::is_integral<Indices>::value)
+    elements = table[at];
+  else
+    for(std::size_t i = 0; i < sizeof(Indices) / sizeof(at[0]); ++i)
+      elements[i] = table[at[i]];
+}
+
+#if defined(CGAL_SPIDER_HAS_WIDE_PACKS)
+
+inline void read(const double* table, const Pack<double>::Indices& at, Pack<double>::type& elements)
+{
+  const __m256d all = _mm256_castsi256_pd(_mm256_set1_epi64x(-1));
+  elements = (Pack<double>::type)_mm256_mask_i64gather_pd(_mm256_setzero_pd(), table, (__m256i)at, all, 8);
+}
+
+inline void read(const std::uint32_t* table, const Pack<double>::Indices& at, Pack<double>::Indices& elements)
+{
+  elements = (Pack<double>::Indices)_mm256_cvtepu32_epi64(_mm256_mask_i64gather_epi32(
+    _mm_setzero_si128(), reinterpret_cast<const int*>(table), (__m256i)at, _mm_set1_epi32(-1), 4));
+}
+
+#endif
+
+} // namespace internal
+} // namespace Spider
+} // namespace CGAL
+
+#endif // CGAL_SPIDER_INTERNAL_PACK_H
