@@ -24,6 +24,7 @@
 #include <CGAL/Spider/parameters.h>
 #include <CGAL/Spider/resample.h>
 #include <CGAL/Spider/smooth_by_geodesic_rings.h>
+#include <CGAL/Spider/suggest_adaptive_radii.h>
 #include <CGAL/Spider/suggest_geodesic_radius.h>
 #include <CGAL/Spider/trace_limb.h>
 #include <CGAL/Spider/trace_limbs.h>

@@ -221,6 +221,10 @@ private:
     auto& numbers = answer("suggest_geodesic_radii");
     for(Vertex v : vertices_)
       add(numbers, radii[v]);
+    Spider::suggest_adaptive_radii(mesh_, boost::make_assoc_property_map(radii));
+    auto& adaptive = answer("suggest_adaptive_radii");
+    for(Vertex v : vertices_)
+      add(adaptive, radii[v]);
   }
 
   void smooth()

@@ -87,6 +87,9 @@ TEST(concepts, archetypes_can_be_labelled_drawn_on_and_smoothed)
   std::map<Graph::Vertex, double> radii;
   Spider::suggest_geodesic_radii(graph, archetypes::Writable_map<Graph::Vertex, double>(radii));
   EXPECT_EQ(radii.size(), vertices(graph).size());
+  radii.clear();
+  Spider::suggest_adaptive_radii(graph, archetypes::Writable_map<Graph::Vertex, double>(radii));
+  EXPECT_EQ(radii.size(), vertices(graph).size());
 
   const archetypes::Readable_map<Graph::Vertex, Estimate_of_archetype> curvature(
     [&](const Graph::Vertex& v) { return Spider::estimate_curvature(v, graph); });

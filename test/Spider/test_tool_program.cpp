@@ -330,6 +330,9 @@ TEST(Tool_program, suggests_a_radius)
   EXPECT_LE(one["least"], 16 * 0.15);
   const auto many = spider(sphere_file() + " -q --json --suggest-radius-by-vertex").json()["runs"][0]["radius"];
   EXPECT_LT(many["least"], many["greatest"]);
+  const auto adaptive = spider(sphere_file() + " -q --json --suggest-adaptive-radii").json()["runs"][0]["radius"];
+  EXPECT_LT(adaptive["least"], adaptive["greatest"]);
+  EXPECT_NE(adaptive, many);
 }
 
 TEST(Tool_program, draws_isolines)

@@ -37,6 +37,7 @@ struct Radius_settings
   std::string by_vertex; // a file
   bool is_suggested = false;
   bool is_suggested_by_vertex = false;
+  bool is_adaptive = false;
 };
 
 struct Smoothing_settings

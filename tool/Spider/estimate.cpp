@@ -11,6 +11,7 @@
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Real_timer.h>
 #include <CGAL/Spider/Curvature_estimator.h>
+#include <CGAL/Spider/suggest_adaptive_radii.h>
 #include <CGAL/Spider/suggest_geodesic_radius.h>
 
 #include <boost/algorithm/string/predicate.hpp>
@@ -61,14 +62,17 @@ void check_names(const std::vector<Radius>& radii)
 Radius suggested_radius(const Mesh& mesh, const Settings& settings, const Mesh_attributes& attributes)
 {
   const std::vector<double> unused(mesh.num_vertices(), 1);
-  if(!settings.radius.is_suggested_by_vertex)
+  if(settings.radius.is_suggested)
     return constant_radius("suggested", mesh,
                            with_parameters(unused, settings.estimation, attributes,
                                            [&](const auto& np) { return suggest_geodesic_radius(mesh, np); }));
   Radius radius{"suggested", std::vector<double>(mesh.num_vertices())};
   with_parameters(unused, settings.estimation, attributes, [&](const auto& np) {
-    suggest_geodesic_radii<CGAL::Parallel_if_available_tag>(mesh, Array_map<Vertex, double>{radius.of_vertex.data()},
-                                                            np);
+    const Array_map<Vertex, double> map{radius.of_vertex.data()};
+    if(settings.radius.is_adaptive)
+      suggest_adaptive_radii<CGAL::Parallel_if_available_tag>(mesh, map, np);
+    else
+      suggest_geodesic_radii<CGAL::Parallel_if_available_tag>(mesh, map, np);
   });
   return radius;
 }
@@ -108,7 +112,7 @@ std::vector<Radius> choose_radii(const Mesh& mesh, const Settings& settings, con
   const Radius_settings& given = settings.radius;
 
   std::vector<Radius> radii;
-  if(given.is_suggested || given.is_suggested_by_vertex)
+  if(given.is_suggested || given.is_suggested_by_vertex || given.is_adaptive)
     radii.push_back(suggested_radius(mesh, settings, attributes));
   if(!given.by_vertex.empty())
     radii.push_back(radius_of_file(given.by_vertex, mesh));

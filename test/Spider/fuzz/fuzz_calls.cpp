@@ -174,6 +174,9 @@ void suggest_radius(const Mesh& mesh, const Settings& settings)
   Spider::suggest_geodesic_radii(copy, radii, settings.few());
   for(Mesh::Vertex_index v : copy.vertices())
     expect(std::isnan(radii[v]) || radii[v] > 0, "a suggested radius is positive, or NaN");
+  Spider::suggest_adaptive_radii(copy, radii, settings.few());
+  for(Mesh::Vertex_index v : copy.vertices())
+    expect(std::isnan(radii[v]) || radii[v] > 0, "an adaptive radius is positive, or NaN");
 }
 
 template <typename NamedParameters>

@@ -41,6 +41,18 @@ struct Rung_values
   int usable = 0;
 };
 
+/// returns where the parabola through the least of the first values and those beside it is least, in logarithms.
+template <typename Scalar, std::size_t N>
+Scalar least_between(const std::array<Scalar, N>& values, int count)
+{
+  const int best = static_cast<int>(std::min_element(values.begin(), values.begin() + count) - values.begin());
+  if(best == 0 || best + 1 == count)
+    return Scalar(best);
+  const Scalar before = std::log(values[best - 1] / values[best]), after = std::log(values[best + 1] / values[best]);
+  const Scalar sum = before + after;
+  return best + (sum > 0 && std::isfinite(sum) ? (before - after) / (2 * sum) : Scalar(0));
+}
+
 template <typename Scalar>
 class Error_balance
 {
@@ -83,7 +95,10 @@ public:
     constexpr Scalar rounding = Scalar(1e-9); // a surface that bends by less per edge is a plane
     if(rungs_ < 2 || !(*std::max_element(steps_.begin(), steps_.begin() + rungs_ - 1) > rounding * rounding))
       return {};
-    return radius_of_least_error();
+    Values errors{};
+    for(int k = 0; k < rungs_; ++k)
+      errors[k] = error(k);
+    return rung(least_between(errors, rungs_));
   }
 
 private:
@@ -161,17 +176,6 @@ private:
       if(error(k) < error(best))
         best = k;
     return best;
-  }
-
-  /// returns where the parabola through the best rung and those beside it is least, in logarithms.
-  Scalar radius_of_least_error() const
-  {
-    const int best = best_rung();
-    if(best == 0 || best + 1 == rungs_)
-      return rung(Scalar(best));
-    const Scalar before = std::log(error(best - 1) / error(best)), after = std::log(error(best + 1) / error(best));
-    const Scalar sum = before + after;
-    return rung(best + (sum > 0 && std::isfinite(sum) ? (before - after) / (2 * sum) : Scalar(0)));
   }
 
   Samples samples_;

@@ -10,6 +10,7 @@
 #include <CGAL/Spider/internal/Mesh_snapshot.h>
 #include <CGAL/Spider/internal/Spider_engine.h>
 #include <CGAL/Spider/internal/for_each_query.h>
+#include <CGAL/Spider/internal/neighbourhood_normals.h>
 
 #include <algorithm>
 #include <cmath>
@@ -109,6 +110,32 @@ public:
     return balance->best_radius();
   }
 
+  /// returns the answers at some vertices with the radii of the first rungs, from one walk each.
+  template <typename ConcurrencyTag>
+  Samples climb(const std::vector<std::uint32_t>& ranks, int rungs, const std::vector<Scalar>& edge_lengths) const
+  {
+    std::vector<Vec3<Scalar>> normals; // of all vertices at once, where so many are needed
+    if constexpr(!Inputs::has_given_normals)
+      if(inputs_.options.first_normal == neighbourhood)
+        normals = neighbourhood_normals<ConcurrencyTag>(
+          mesh_, [&](std::uint32_t v) { return rung(Scalar(1)) * edge_lengths[v]; });
+    const auto make_worker = [&] {
+      return [this, rungs, &edge_lengths, &normals, engine = Estimator_engine<Snapshot>(mesh_, inputs_.options),
+              radii = std::vector<Scalar>(), estimates = std::vector<Estimate<Scalar>>()](std::uint32_t v) mutable {
+        radii.clear();
+        for(int k = 0; k < rungs; ++k)
+          radii.push_back(rung(Scalar(k)) * edge_lengths[v]);
+        const Site<Snapshot> site = site_at_vertex(mesh_, v);
+        engine(site, radii, normals.empty() ? first_normal(site, radii[1]) : normals[v], estimates);
+        return values_of(estimates, edge_lengths[v]);
+      };
+    };
+    Samples samples;
+    for_each_query<ConcurrencyTag>(ranks, make_worker,
+                                   [&](std::uint32_t, const auto& values) { samples.push_back(values); });
+    return samples;
+  }
+
 private:
   using Vertex = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
   using Face = typename boost::graph_traits<TriangleMesh>::face_descriptor;
@@ -141,6 +168,22 @@ private:
       climber.normal = estimate.normal;
     }
     return climber;
+  }
+
+  /// returns the values up to the last radius at which there is an estimate that no border spoils.
+  static Rung_values<Scalar> values_of(const std::vector<Estimate<Scalar>>& estimates, Scalar edge_length)
+  {
+    Rung_values<Scalar> values;
+    for(const Estimate<Scalar>& estimate : estimates)
+    {
+      const Scalar H = (estimate.min_curvature + estimate.max_curvature) / 2 * edge_length;
+      if(estimate.meets_border || !std::isfinite(H))
+        break;
+      values.mean_curvatures[values.usable] = H;
+      values.standard_errors[values.usable] = estimate.standard_error * edge_length;
+      ++values.usable;
+    }
+    return values;
   }
 
   static Samples values_of(const std::vector<Climber>& climbers)

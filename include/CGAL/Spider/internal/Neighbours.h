@@ -1,0 +1,90 @@
+// Copyright (c) 2026 The Spider developers.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Averages over the neighbourhoods of vertices, and how long edges are there.
+
+#ifndef CGAL_SPIDER_INTERNAL_NEIGHBOURS_H
+#define CGAL_SPIDER_INTERNAL_NEIGHBOURS_H
+
+#include <CGAL/Spider/internal/Mesh_snapshot.h>
+#include <CGAL/Spider/internal/Site.h>
+#include <CGAL/Spider/internal/for_each_chunk.h>
+#include <CGAL/Spider/internal/numbers.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spider {
+namespace internal {
+
+/// The neighbours of all vertices of a mesh. A vertex and its neighbours share what they have, as often as one likes:
+/// after n rounds, that is the mean over about 5 n vertices, those nearby most.
+class Neighbours
+{
+public:
+  template <typename Scalar>
+  explicit Neighbours(const Mesh_snapshot<Scalar>& mesh)
+  {
+    const std::uint32_t n = static_cast<std::uint32_t>(mesh.number_of_vertices());
+    first_.reserve(n + 1);
+    first_.push_back(0);
+    for(std::uint32_t v = 0; v < n; ++v)
+    {
+      if(mesh.first_corner(v) != Mesh_snapshot<Scalar>::null_halfedge())
+        visit_corners(mesh, mesh.first_corner(v), [&](std::uint32_t corner) {
+          const auto edge = mesh.other_edges(corner).first;
+          neighbours_.push_back(mesh.source(edge));
+          neighbours_.push_back(mesh.target(edge));
+        });
+      const auto begin = neighbours_.begin() + static_cast<std::ptrdiff_t>(first_.back());
+      std::sort(begin, neighbours_.end());
+      neighbours_.erase(std::unique(begin, neighbours_.end()), neighbours_.end());
+      first_.push_back(neighbours_.size());
+    }
+  }
+
+  /// calls `visit(w)` for the neighbours of a vertex.
+  template <typename Visit>
+  void visit(std::size_t v, const Visit& visit) const
+  {
+    for(std::size_t i = first_[v]; i < first_[v + 1]; ++i)
+      visit(neighbours_[i]);
+  }
+
+  /// replaces the numbers of each vertex by the mean of its own and its neighbours', some times over.
+  template <typename ConcurrencyTag, typename Scalar, std::size_t N>
+  void average(std::vector<std::array<Scalar, N>>& values, int rounds) const
+  {
+    std::vector<std::array<Scalar, N>> next(values.size());
+    for(int round = 0; round < rounds; ++round)
+    {
+      for_each_number<ConcurrencyTag>(values.size(), [&](std::size_t v) {
+        std::array<Scalar, N> sum = values[v];
+        visit(v, [&](std::uint32_t w) {
+          for(std::size_t i = 0; i < N; ++i)
+            sum[i] += values[w][i];
+        });
+        for(Scalar& number : sum)
+          number /= static_cast<Scalar>(first_[v + 1] - first_[v] + 1);
+        next[v] = sum;
+      });
+      std::swap(values, next);
+    }
+  }
+
+private:
+  std::vector<std::size_t> first_;
+  std::vector<std::uint32_t> neighbours_;
+};
+
+} // namespace internal
+} // namespace Spider
+} // namespace CGAL
+
+#endif // CGAL_SPIDER_INTERNAL_NEIGHBOURS_H
