@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Averages over the neighbourhoods of vertices, and how long edges are there.
+// Averages over the neighbourhoods of vertices.
 
 #ifndef CGAL_SPIDER_INTERNAL_NEIGHBOURS_H
 #define CGAL_SPIDER_INTERNAL_NEIGHBOURS_H

@@ -2,10 +2,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// A radius for each vertex, where the scale of the shape varies over the mesh. As
-// `Error_balance` does for a whole mesh, it tells bias from noise by the steps between answers of successive radii,
-// here averaged over neighbourhoods. These are few values, so what noise contributes must be known well, and is told by
-// the whole mesh.
+// A radius for each vertex, where the scale of the shape varies over the mesh. As `Error_balance` does for a whole mesh,
+// it tells bias from noise by the steps between answers of successive radii, here averaged over neighbourhoods. These
+// are few values, so what noise contributes must be known well, and is told by the whole mesh.
 
 #ifndef CGAL_SPIDER_INTERNAL_ADAPTIVE_RADII_H
 #define CGAL_SPIDER_INTERNAL_ADAPTIVE_RADII_H
