@@ -72,9 +72,8 @@ public:
   friend Lane_edges select(const Mask& condition, const Lane_edges& a, const Lane_edges& b)
   {
     Lane_edges edges;
-    const auto takes_a = condition.values();
     for(int l = 0; l < number_of_lanes; ++l)
-      edges.edges_[l] = takes_a[l] ? a.edges_[l] : b.edges_[l];
+      edges.edges_[l] = condition[l] ? a.edges_[l] : b.edges_[l];
     return edges;
   }
 

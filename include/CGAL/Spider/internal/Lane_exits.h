@@ -83,20 +83,37 @@ struct Lane_exits
     return absolute(a.x) + absolute(a.y) + absolute(a.z) < Values(farthest);
   }
 
+  /// What lies across the edges: the triangles' third vertices, where limbs may go on there.
+  struct Across
+  {
+    Edges third; ///< the edges that start at these vertices
+    Mask is_open;
+    Lane_points<Scalar> apex;
+    Values apex_side;
+  };
+
+  /// looks across the edges, where limbs will go or not. What is to be read takes a while to come, and there may be
+  /// other things to do meanwhile.
+  Across look_across(const View& view, const Local_coordinates<Scalar>& local) const
+  {
+    Across across;
+    across.third = edge.beyond(view, across.is_open);
+    across.apex = local(across.third.sources(view));
+    across.apex_side = side(across.apex.x, across.apex.y);
+    return across;
+  }
+
   /// crosses edges into the next faces and finds the edges by which the planes leave those, for limbs that go and may
   /// go on there. Returns which these are.
-  Mask cross(const View& view, const Local_coordinates<Scalar>& local, const Mask& going)
+  Mask cross(const View& view, const Across& across, const Mask& going)
   {
-    Mask is_open;
-    const Edges third = edge.beyond(view, is_open);
-    const Lane_points<Scalar> apex = local(third.sources(view));
-    const Values apex_side = side(apex.x, apex.y), zero(0);
-    const Mask goes_on = going & is_open & is_near(apex);
-    const Mask is_of_source = (source_side >= zero) == (apex_side >= zero);
+    const Values zero(0);
+    const Mask goes_on = going & across.is_open & is_near(across.apex);
+    const Mask is_of_source = (source_side >= zero) == (across.apex_side >= zero);
     const Mask at_source = goes_on & is_of_source, at_target = goes_on & !is_of_source;
-    replace_source(at_source, apex, apex_side);
-    replace_target(at_target, apex, apex_side);
-    edge = select(at_source, third, select(at_target, third.preceding(view), edge));
+    replace_source(at_source, across.apex, across.apex_side);
+    replace_target(at_target, across.apex, across.apex_side);
+    edge = select(at_source, across.third, select(at_target, across.third.preceding(view), edge));
     return goes_on;
   }
 

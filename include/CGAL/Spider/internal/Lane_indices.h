@@ -45,8 +45,8 @@ struct Lane_indices
   CGAL_SPIDER_LANE_OPERATOR(Lane_indices, Lane_indices, +)
   CGAL_SPIDER_LANE_OPERATOR(Lane_indices, Lane_indices, -)
   CGAL_SPIDER_LANE_OPERATOR(Lane_indices, Lane_indices, &)
-  CGAL_SPIDER_LANE_OPERATOR(Mask, Lane_indices, <)
-  CGAL_SPIDER_LANE_OPERATOR(Mask, Lane_indices, ==)
+  CGAL_SPIDER_LANE_COMPARISON(Mask, Lane_indices, <, is_less)
+  CGAL_SPIDER_LANE_COMPARISON(Mask, Lane_indices, ==, is_equal)
 
   friend Lane_indices operator>>(const Lane_indices& a, int bits)
   {
@@ -60,7 +60,7 @@ struct Lane_indices
   {
     Lane_indices result;
     CGAL_SPIDER_FOR_EACH_PACK(i)
-      result.packs[i] = condition.packs[i] ? a.packs[i] : b.packs[i];
+      result.packs[i] = choose(condition.packs[i], a.packs[i], b.packs[i]);
     return result;
   }
 

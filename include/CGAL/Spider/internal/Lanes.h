@@ -27,15 +27,22 @@
     return result;                                          \
   }
 
+/// Defines a comparison by what it is called for packs.
+#define CGAL_SPIDER_LANE_COMPARISON(MASK, LANES, OP, NAME) \
+  friend MASK operator OP(const LANES& a, const LANES& b)  \
+  {                                                        \
+    MASK result;                                           \
+    CGAL_SPIDER_FOR_EACH_PACK(i)                           \
+      result.packs[i] = NAME(a.packs[i], b.packs[i]);      \
+    return result;                                         \
+  }
+
 namespace CGAL {
 namespace Spider {
 namespace internal {
 
 /// How many limbs go in lockstep: enough to have something to do for some while others wait for memory.
 constexpr int number_of_lanes = 8;
-
-template <typename T>
-using Lane_flag = std::conditional_t<std::is_same<typename Pack<T>::Mask, bool>::value, bool, long long>;
 
 /// A condition in each lane.
 template <typename T>
@@ -46,15 +53,17 @@ struct Lane_mask
 
   Packed packs[number_of_packs];
 
-  /// returns a number in each lane that isn't 0 where the condition holds.
-  std::array<Lane_flag<T>, number_of_lanes> values() const
+  bool operator[](int lane) const
   {
-    std::array<Lane_flag<T>, number_of_lanes> values;
-    std::memcpy(values.data(), packs, sizeof(packs));
-    return values;
+    constexpr int lanes_per_pack = number_of_lanes / number_of_packs;
+    const Packed& pack = packs[lane / lanes_per_pack];
+    if constexpr(std::is_same<Packed, bool>::value)
+      return pack;
+    else if constexpr(std::is_integral<Packed>::value)
+      return (pack >> lane % lanes_per_pack & 1) != 0;
+    else
+      return pack[lane % lanes_per_pack] != 0;
   }
-
-  bool operator[](int lane) const { return values()[lane] != 0; }
 
   bool any() const
   {
@@ -66,14 +75,12 @@ struct Lane_mask
 
   CGAL_SPIDER_LANE_OPERATOR(Lane_mask, Lane_mask, &)
   CGAL_SPIDER_LANE_OPERATOR(Lane_mask, Lane_mask, |)
-  CGAL_SPIDER_LANE_OPERATOR(Lane_mask, Lane_mask, ==)
+  CGAL_SPIDER_LANE_COMPARISON(Lane_mask, Lane_mask, ==, is_equal)
 
   friend Lane_mask operator!(const Lane_mask& a)
   {
-    Lane_mask result;
-    CGAL_SPIDER_FOR_EACH_PACK(i)
-      result.packs[i] = a.packs[i] == 0;
-    return result;
+    constexpr Lane_mask nowhere = {};
+    return a == nowhere;
   }
 };
 
@@ -117,9 +124,9 @@ struct Lanes
   CGAL_SPIDER_LANE_OPERATOR(Lanes, Lanes, -)
   CGAL_SPIDER_LANE_OPERATOR(Lanes, Lanes, *)
   CGAL_SPIDER_LANE_OPERATOR(Lanes, Lanes, /)
-  CGAL_SPIDER_LANE_OPERATOR(Mask, Lanes, <)
-  CGAL_SPIDER_LANE_OPERATOR(Mask, Lanes, >)
-  CGAL_SPIDER_LANE_OPERATOR(Mask, Lanes, >=)
+  CGAL_SPIDER_LANE_COMPARISON(Mask, Lanes, <, is_less)
+  CGAL_SPIDER_LANE_COMPARISON(Mask, Lanes, >=, is_at_least)
+  friend Mask operator>(const Lanes& a, const Lanes& b) { return b < a; }
 
   Lanes& operator+=(const Lanes& a) { return *this = *this + a; }
 
@@ -127,7 +134,7 @@ struct Lanes
   {
     Lanes result;
     CGAL_SPIDER_FOR_EACH_PACK(i)
-      result.packs[i] = condition.packs[i] ? a.packs[i] : b.packs[i];
+      result.packs[i] = choose(condition.packs[i], a.packs[i], b.packs[i]);
     return result;
   }
 

@@ -34,6 +34,7 @@ class Limb_bundle
   using Halfedge = typename View::Halfedge;
   using Values = Lanes<Scalar>;
   using Mask = Lane_mask<Scalar>;
+  using Across = typename Lane_exits<View>::Across;
 
 public:
   /// places limbs at the edges by which they leave the star, in the directions of the given cosines and sines.
@@ -72,8 +73,9 @@ public:
     limit_.set_radius(share_of_radius_);
     while(growing_.any())
     {
+      const Across across = at_.look_across(view_, local_);
       visit(take_segments());
-      cross_edges();
+      cross_edges(across);
       circles_.note_step(at_.edge);
       if(shares.size() > 1 && resting_.any())
         send_on(shares, next, arrive);
@@ -143,9 +145,9 @@ private:
   }
 
   /// crosses edges into the next faces and finds the edges by which the planes leave those.
-  void cross_edges()
+  void cross_edges(const Across& across)
   {
-    const Mask goes_on = at_.cross(view_, local_, growing_ & !closed_), stops = growing_ & !goes_on;
+    const Mask goes_on = at_.cross(view_, across, growing_ & !closed_), stops = growing_ & !goes_on;
     if(stops.any())
       note_stops(stops);
     if((goes_on & (circles_.are_first(at_.edge) | circles_.are_passed(at_.edge))).any())

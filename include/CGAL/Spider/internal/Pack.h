@@ -20,8 +20,13 @@
 #include <cstring>
 #include <type_traits>
 
-// Packs are of four doubles at most: GCC 12 makes wrong code of complementary comparisons of eight.
-#if defined(__GNUC__) && defined(__AVX2__)
+// Packs of eight doubles have masks of their own, and of four at least tables that are read at several places at once.
+#if defined(__GNUC__) && defined(__AVX512F__) && defined(__AVX512DQ__)
+#define CGAL_SPIDER_HAS_PACKS_OF_8
+#elif defined(__GNUC__) && defined(__AVX2__)
+#define CGAL_SPIDER_HAS_PACKS_OF_4
+#endif
+#if defined(CGAL_SPIDER_HAS_PACKS_OF_8) || defined(CGAL_SPIDER_HAS_PACKS_OF_4)
 #define CGAL_SPIDER_HAS_WIDE_PACKS
 #endif
 
@@ -42,23 +47,101 @@ struct Pack
 template <>
 struct Pack<double>
 {
-#if defined(CGAL_SPIDER_HAS_WIDE_PACKS)
+#if defined(CGAL_SPIDER_HAS_PACKS_OF_8)
+  static constexpr int bytes = 64;
+#elif defined(CGAL_SPIDER_HAS_PACKS_OF_4)
   static constexpr int bytes = 32;
 #else
   static constexpr int bytes = 16;
 #endif
   typedef double type __attribute__((vector_size(bytes)));
-  typedef long long Mask __attribute__((vector_size(bytes)));
-  using Indices = Mask;
+  typedef long long Indices __attribute__((vector_size(bytes)));
+#if defined(CGAL_SPIDER_HAS_PACKS_OF_8)
+  using Mask = unsigned char; ///< a bit for each
+#else
+  using Mask = Indices; ///< all bits of each
+#endif
 };
+#endif
+
+// What may hold of numbers in packs, and what is taken where it holds.
+
+template <typename Packed>
+using Mask_of = std::conditional_t<std::is_arithmetic<Packed>::value, bool, typename Pack<double>::Mask>;
+
+template <typename Packed>
+Mask_of<Packed> is_less(const Packed& a, const Packed& b)
+{
+  return (Mask_of<Packed>)(a < b);
+}
+
+template <typename Packed>
+Mask_of<Packed> is_at_least(const Packed& a, const Packed& b)
+{
+  return (Mask_of<Packed>)(a >= b);
+}
+
+template <typename Packed>
+Mask_of<Packed> is_equal(const Packed& a, const Packed& b)
+{
+  return (Mask_of<Packed>)(a == b);
+}
+
+template <typename Mask, typename Packed>
+Packed choose(const Mask& condition, const Packed& a, const Packed& b)
+{
+  return condition ? a : b;
+}
+
+#if defined(CGAL_SPIDER_HAS_PACKS_OF_8)
+
+// by their names, since GCC 12 makes wrong code of `a < b` beside `a >= b` at -O1
+
+inline Pack<double>::Mask is_less(const Pack<double>::type& a, const Pack<double>::type& b)
+{
+  return _mm512_cmp_pd_mask((__m512d)a, (__m512d)b, _CMP_LT_OQ);
+}
+
+inline Pack<double>::Mask is_at_least(const Pack<double>::type& a, const Pack<double>::type& b)
+{
+  return _mm512_cmp_pd_mask((__m512d)a, (__m512d)b, _CMP_GE_OQ);
+}
+
+inline Pack<double>::Mask is_less(const Pack<double>::Indices& a, const Pack<double>::Indices& b)
+{
+  return _mm512_cmplt_epi64_mask((__m512i)a, (__m512i)b);
+}
+
+inline Pack<double>::Mask is_equal(const Pack<double>::Indices& a, const Pack<double>::Indices& b)
+{
+  return _mm512_cmpeq_epi64_mask((__m512i)a, (__m512i)b);
+}
+
+inline Pack<double>::Mask is_equal(const Pack<double>::Mask& a, const Pack<double>::Mask& b)
+{
+  return static_cast<Pack<double>::Mask>(~(a ^ b));
+}
+
+inline Pack<double>::type choose(const Pack<double>::Mask& condition, const Pack<double>::type& a,
+                                 const Pack<double>::type& b)
+{
+  return (Pack<double>::type)_mm512_mask_blend_pd(condition, (__m512d)b, (__m512d)a);
+}
+
+inline Pack<double>::Indices choose(const Pack<double>::Mask& condition, const Pack<double>::Indices& a,
+                                    const Pack<double>::Indices& b)
+{
+  return (Pack<double>::Indices)_mm512_mask_blend_epi64(condition, (__m512i)b, (__m512i)a);
+}
+
 #endif
 
 /// tells whether a condition holds in any lane of a pack.
 template <typename Mask>
 bool is_any(const Mask& mask)
 {
-  if constexpr(std::is_same<Mask, bool>::value)
-    return mask;
+  if constexpr(std::is_integral<Mask>::value)
+    return mask != 0;
   else
   {
     long long bits = 0;
@@ -68,11 +151,12 @@ bool is_any(const Mask& mask)
   }
 }
 
-#if defined(CGAL_SPIDER_HAS_WIDE_PACKS)
+#if defined(CGAL_SPIDER_HAS_PACKS_OF_4)
 inline bool is_any(const Pack<double>::Mask& mask) { return _mm256_movemask_pd((__m256d)mask) != 0; }
 #endif
 
-/// returns square roots as exact as `std::sqrt()`'s, which may set errno and so isn't for vectors: hence Eigen's.
+/// returns square roots as exact as `std::sqrt()`'s, which may set errno and so isn't for vectors: hence Eigen's, whose
+/// roots of eight numbers aren't exact.
 template <typename T>
 typename Pack<T>::type exact_square_root(const typename Pack<T>::type& a)
 {
@@ -83,6 +167,14 @@ typename Pack<T>::type exact_square_root(const typename Pack<T>::type& a)
   std::memcpy(&roots, values.data(), sizeof(a));
   return roots;
 }
+
+#if defined(CGAL_SPIDER_HAS_PACKS_OF_8)
+template <>
+inline Pack<double>::type exact_square_root<double>(const Pack<double>::type& a)
+{
+  return (Pack<double>::type)_mm512_maskz_sqrt_pd(0xff, (__m512d)a);
+}
+#endif
 
 // Places of a table are read one by one, but for machines that read several at once.
 
@@ -96,7 +188,20 @@ void read(const Element* table, const Indices& at, Packed& elements)
       elements[i] = table[at[i]];
 }
 
-#if defined(CGAL_SPIDER_HAS_WIDE_PACKS)
+#if defined(CGAL_SPIDER_HAS_PACKS_OF_8)
+
+inline void read(const double* table, const Pack<double>::Indices& at, Pack<double>::type& elements)
+{
+  elements = (Pack<double>::type)_mm512_mask_i64gather_pd(_mm512_setzero_pd(), 0xff, (__m512i)at, table, 8);
+}
+
+inline void read(const std::uint32_t* table, const Pack<double>::Indices& at, Pack<double>::Indices& elements)
+{
+  elements = (Pack<double>::Indices)_mm512_maskz_cvtepu32_epi64(
+    0xff, _mm512_mask_i64gather_epi32(_mm256_setzero_si256(), 0xff, (__m512i)at, table, 4));
+}
+
+#elif defined(CGAL_SPIDER_HAS_WIDE_PACKS)
 
 inline void read(const double* table, const Pack<double>::Indices& at, Pack<double>::type& elements)
 {
