@@ -140,23 +140,38 @@ TEST(continuity, nothing_changes_at_once_across_edges)
   }
 }
 
-TEST(continuity, changes_are_little_on_most_paths_over_a_noisy_scan)
+TEST(continuity, spiders_turn_to_another_normal_whichever_of_their_directions_they_are_counted_from)
+{
+  using Frame = Spider::internal::Spider_frame<double>;
+  const Vector normal = Vector(1, 2, 3).normalized(), other = Vector(3, 1, -1).normalized();
+  const Frame frame(normal, Vector::UnitX());
+  for(double angle : {0.3, 1.5, 4.})
+  {
+    const Frame turned = Frame(normal, frame.direction(angle)).turned_to(other);
+    EXPECT_LT((turned.tangent - frame.turned_to(other).direction(angle)).norm(), 1e-14);
+    EXPECT_LT((turned.normal - other).norm(), 1e-15);
+  }
+  // The turn is the shortest: what is orthogonal to both normals stays.
+  const Vector axis = normal.cross(other).normalized();
+  EXPECT_LT((Frame(normal, axis).turned_to(other).tangent - axis).norm(), 1e-14);
+}
+
+TEST(continuity, changes_are_little_on_paths_over_a_noisy_scan)
 {
   const std::filesystem::path file = std::filesystem::path(SPIDER_DATA_DIR) / "bunny00.off";
   if(!std::filesystem::exists(file))
     GTEST_SKIP() << "there is no " << file << " (Debian and Ubuntu: libcgal-demo)";
   Mesh bunny;
   ASSERT_TRUE(PMP::IO::read_polygon_mesh(file.string(), bunny));
-  // Measured for noise of 0, 0.25 and 0.5: medians of 0.0053, 0.0067 and 0.0092; on 1, 1 and 2 of the 20 paths there is
-  // a change above 5 %, at most of 18 %. These lead along folds that are sharper than the radius, where a limb may come
-  // to lie on the other side of the fold at once.
+  // Measured for noise of 0, 0.25 and 0.5: medians of 0.0053, 0.0067 and 0.0087, and at most 0.030, 0.039 and 0.041. The
+  // greatest are on paths along folds that are sharper than the radius.
   for(double noise : {0., 0.25, 0.5})
   {
     SCOPED_TRACE(noise);
     const Mesh noisy = with_noise(bunny, noise);
     const Changes changes =
       changes_along_paths(noisy, 20, params::geodesic_radius(4 * meshes::mean_edge_length(noisy)));
-    EXPECT_LT(changes.median(), 0.015);
-    EXPECT_LE(changes.number_above(0.05), 3);
+    EXPECT_LT(changes.median(), 0.012);
+    EXPECT_EQ(changes.number_above(0.05), 0);
   }
 }

@@ -70,13 +70,15 @@ private:
   {
     Scalar reach = radius; // of this spider: less than the radius where that leads over walls
     Estimate_blend<Scalar> rounds;
+    Spider_frame<Scalar> frame(normal, site.reference);
     for(int round = 0; round < number_of_rounds; ++round)
     {
       Scalar share = estimate.has_fit() ? share_of_next_round(normal, estimate.normal) : Scalar(1);
       if(share == 0)
         break;
       normal = estimate.normal;
-      const Spider_frame<Scalar> frame(normal, site.reference);
+      if(estimate.has_fit())
+        frame = frame.turned_to(normal);
       Spider_extent<Scalar> extent;
       const Spider_fit<Scalar> fit = fit_within_walls(site, frame, reach, extent);
       const Scalar coverage = extent.coverage() * (reach / radius);

@@ -32,6 +32,14 @@ struct Spider_frame
     bitangent = normal.cross(tangent);
   }
 
+  /// returns the frame turned the shortest way to another normal. Its directions differ from these no more than the
+  /// normals do, whichever of several equal references a frame was made of; projected references would.
+  Spider_frame turned_to(const Vec3<Scalar>& unit_normal) const
+  {
+    const Vec3<Scalar> halfway = normal + unit_normal;
+    return {unit_normal, tangent - tangent.dot(unit_normal) / (1 + normal.dot(unit_normal)) * halfway};
+  }
+
   Vec3<Scalar> tangential_part(const Vec3<Scalar>& a) const
   {
     const Vec3<Scalar> direction = unit(a);

@@ -9,6 +9,8 @@
 // - Facets sag below the surface that they stand for. So a sample isn't compared with the height field, but with the
 //   mesh that one would get by moving the vertices onto the height field: the terms are interpolated along edges and
 //   along the limb as heights are. A mesh of an exact polynomial of the fitted degree gives that polynomial.
+// - Walls are no part of a height field. Samples fade out where limbs climb more than they lead along, and little by
+//   little, lest answers jump where a limb comes to lie on the other side of a fold.
 
 #ifndef CGAL_SPIDER_INTERNAL_SPIDER_SAMPLES_H
 #define CGAL_SPIDER_INTERNAL_SPIDER_SAMPLES_H
@@ -40,6 +42,21 @@ Lanes<Scalar> weight_by_area(const Lanes<Scalar>& length, Scalar short_length)
   return Lanes<Scalar>(1) / square_root(length + Lanes<Scalar>(short_length));
 }
 
+/// A sample that is farther from the tangent plane than from the normal's line lies on a wall, and counts the less the
+/// steeper it is seen from the query point: not at all from a slope of 1.5 on, long before limbs that climb get too
+/// long.
+template <typename Scalar>
+Lanes<Scalar> weight_by_slope(const Lanes<Scalar>& y, const Lanes<Scalar>& z)
+{
+  using Values = Lanes<Scalar>;
+  constexpr Scalar steepest = Scalar(1.5), width_of_fading = steepest - 1;
+  const Values zero(0), one(1), rise = absolute(z), way = larger(y, zero);
+  const Lane_mask<Scalar> climbs = rise > way;
+  if(!climbs.any())
+    return one;
+  return select(climbs, larger((Values(steepest) - rise / way) * Values(1 / width_of_fading), zero), one);
+}
+
 /// The samples of limbs in lockstep, one in the middle of each segment, for a height field of the given degree.
 template <typename Scalar, int Degree>
 class Bundle_samples
@@ -57,12 +74,14 @@ public:
   {
     moments_.clear();
     sizes_ = {};
-    at_end_ = origin;
+    at_end_ = at_turn_ = origin;
+    reached_ = last_gain_ = turned_at_ = Values(0);
   }
 
   /// adds a sample in the middle of the next segment of each limb.
   void add(const Segments<Scalar>& next, Scalar short_length)
   {
+    note_turns(next);
     const auto source = Basis::curved_at(next.source.x, next.source.y);
     const auto target = Basis::curved_at(next.target.x, next.target.y);
     Functions middle;
@@ -73,7 +92,8 @@ public:
       middle[k] = between(at_end_[k], crossing, next.middle_share);
       at_end_[k] = between(at_end_[k], crossing, next.share);
     }
-    const Values area = next.middle * next.gain, by_area = weight_by_area(next.gain, short_length);
+    const Values area = next.middle * next.gain, by_area = weight_by_area(next.gain, short_length) *
+                                                           weight_by_slope(next.middle, middle[Moments::height]);
     moments_.add(next.middle, middle, area * by_area);
     sizes_.add(area, next.gain, by_area);
   }
@@ -83,8 +103,12 @@ public:
   {
     moments_.take_lane(lane, other.moments_);
     sizes_.take_lane(lane, other.sizes_);
+    turned_at_.set(lane, other.turned_at_[lane]);
     for(int k = 0; k <= Basis::curved; ++k)
+    {
       at_end_[k].set(lane, other.at_end_[k][lane]);
+      at_turn_[k].set(lane, other.at_turn_[k][lane]);
+    }
   }
 
   /// notes where a limb ended, along its direction.
@@ -94,26 +118,55 @@ public:
     is_complete_.set(lane, is_complete ? 1 : 0);
   }
 
-  /// adds a sample at the ends of complete limbs, which stands for an area and is weighed by that.
-  void add_rim(Scalar area, const Values& weight_by_area)
+  /// adds a sample at the ends of complete limbs, which stands for an area and is weighed by that. A limb that turned
+  /// back just before the radius has it where it turned, all of it if that was at the radius: there limbs end that
+  /// reach it before they turn, and others go on to the far side of a fold.
+  void add_rim(Scalar area, const Values& weight_by_area, Scalar radius)
   {
-    const Values areas = is_complete_ * Values(area);
-    moments_.add(end_, at_end_, areas * weight_by_area);
-    sizes_.add_weight(areas, weight_by_area);
+    constexpr Scalar just_before = Scalar(0.1); // of the radius
+    const Values one(1), zero(0), lack = one - turned_at_ * Values(1 / radius);
+    const Values share_at_turn = larger(one - lack * Values(1 / just_before), zero);
+    if((share_at_turn > zero).any())
+      add_at_rim(turned_at_, at_turn_, share_at_turn * Values(area), weight_by_area);
+    add_at_rim(end_, at_end_, (one - share_at_turn) * is_complete_ * Values(area), weight_by_area);
   }
 
   const Moments& moments() const { return moments_; }
   const Sample_sizes<Scalar>& sizes() const { return sizes_; }
 
 private:
+  /// Where limbs begin to turn back, they are as far as they got.
+  void note_turns(const Segments<Scalar>& next)
+  {
+    const Values zero(0);
+    const Lane_mask<Scalar> turns = (last_gain_ > zero) & (next.share > zero) & !(next.gain > zero);
+    if(turns.any())
+    {
+      turned_at_ = select(turns, reached_, turned_at_);
+      for(int k = 0; k <= Basis::curved; ++k)
+        at_turn_[k] = select(turns, at_end_[k], at_turn_[k]);
+    }
+    reached_ += next.gain;
+    last_gain_ = next.gain;
+  }
+
+  void add_at_rim(const Values& y, const Functions& functions, const Values& areas, const Values& weight_by_area)
+  {
+    const Values by_area = weight_by_area * weight_by_slope(y, functions[Moments::height]);
+    moments_.add(y, functions, areas * by_area);
+    sizes_.add_weight(areas, by_area);
+  }
+
   static Values between(const Values& from, const Values& to, const Values& share)
   {
     return from + share * (to - from);
   }
 
   Moments moments_;
-  Functions at_end_;
-  Values end_; ///< how far along their directions limbs got
+  Functions at_end_, at_turn_;
+  Values reached_, last_gain_; ///< how far limbs got, and what their last segments added
+  Values turned_at_;           ///< where they last turned back, 0 if they never did
+  Values end_;                 ///< how far along their directions they got
   Values is_complete_;
   Sample_sizes<Scalar> sizes_;
 };
@@ -151,7 +204,7 @@ struct Spider_samples
     const Lanes<Scalar> by_area = Lanes<Scalar>(share * segments_per_edge_length * share_of_radius) *
                                   weight_by_area(Lanes<Scalar>(length), short_length);
     for(auto& bundle : bundles)
-      bundle.add_rim(length, by_area);
+      bundle.add_rim(length, by_area, share_of_radius);
   }
 
   Sample_sizes<Scalar> sizes() const
