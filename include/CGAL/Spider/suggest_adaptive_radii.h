@@ -22,7 +22,7 @@ suggests a geodesic radius for each vertex that adapts to the shape, from 2 to 8
 small where the surface bends at a small scale, large where it doesn't. It is for meshes that have both, as ears and a
 body; where only the density of vertices varies, `suggest_geodesic_radii()` is faster, and goes up to 16 edge lengths.
 
-At a third of the vertices, or at some thousand of a small mesh, mean curvature is estimated with five radii in one walk.
+At a tenth of the vertices, or at more of a small mesh, curvature is estimated with five radii in one walk.
 Noise is told by what the answers of the smallest radii differ by where the surface is smooth; vertices whose edges are
 up to four times as long as others' share it. What answers differ by in a neighbourhood beyond that is blurring. The user
 manual has the algebra, and where it is better than any one radius, and where it isn't.

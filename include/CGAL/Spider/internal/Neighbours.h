@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Averages over the neighbourhoods of vertices.
+// Averages over the neighbourhoods of vertices, and vertices that are apart from each other.
 
 #ifndef CGAL_SPIDER_INTERNAL_NEIGHBOURS_H
 #define CGAL_SPIDER_INTERNAL_NEIGHBOURS_H
@@ -57,6 +57,21 @@ public:
       visit(neighbours_[i]);
   }
 
+  /// returns some of the given vertices, which come first as they are given: no two of them are within some edges of
+  /// each other, and all others are within that of one of them. Three or more edges would take long.
+  std::vector<std::uint32_t> apart(const std::vector<std::uint32_t>& vertices, int edges) const
+  {
+    std::vector<bool> is_near(first_.size() - 1);
+    std::vector<std::uint32_t> chosen;
+    for(std::uint32_t v : vertices)
+      if(!is_near[v])
+      {
+        chosen.push_back(v);
+        note_within(v, edges, is_near);
+      }
+    return chosen;
+  }
+
   /// replaces the numbers of each vertex by the mean of its own and its neighbours', some times over.
   template <typename ConcurrencyTag, typename Scalar, std::size_t N>
   void average(std::vector<std::array<Scalar, N>>& values, int rounds) const
@@ -79,6 +94,13 @@ public:
   }
 
 private:
+  void note_within(std::uint32_t v, int edges, std::vector<bool>& is_near) const
+  {
+    is_near[v] = true;
+    if(edges > 0)
+      visit(v, [&](std::uint32_t w) { note_within(w, edges - 1, is_near); });
+  }
+
   std::vector<std::size_t> first_;
   std::vector<std::uint32_t> neighbours_;
 };

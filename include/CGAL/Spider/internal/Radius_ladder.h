@@ -110,30 +110,34 @@ public:
     return balance->best_radius();
   }
 
-  /// returns the answers at some vertices with the radii of the first rungs, from one walk each.
-  template <typename ConcurrencyTag>
-  Samples climb(const std::vector<std::uint32_t>& ranks, int rungs, const std::vector<Scalar>& edge_lengths) const
+  /// calls `store(v, estimates)` for some vertices, with the estimates at the radii of the first rungs, from one walk
+  /// each.
+  template <typename ConcurrencyTag, typename Store>
+  void climb(const std::vector<std::uint32_t>& ranks, int rungs, const std::vector<Scalar>& edge_lengths,
+             const Store& store) const
   {
+    // With as few directions, means over many vertices are as good.
+    constexpr int few_directions = 12;
+    Options<Scalar> options = inputs_.options;
+    if(options.number_of_directions == 0)
+      options.number_of_directions = few_directions;
     std::vector<Vec3<Scalar>> normals; // of all vertices at once, where so many are needed
     if constexpr(!Inputs::has_given_normals)
-      if(inputs_.options.first_normal == neighbourhood)
+      if(options.first_normal == neighbourhood)
         normals = neighbourhood_normals<ConcurrencyTag>(
           mesh_, [&](std::uint32_t v) { return rung(Scalar(1)) * edge_lengths[v]; });
     const auto make_worker = [&] {
-      return [this, rungs, &edge_lengths, &normals, engine = Estimator_engine<Snapshot>(mesh_, inputs_.options),
+      return [this, rungs, &edge_lengths, &normals, engine = Estimator_engine<Snapshot>(mesh_, options),
               radii = std::vector<Scalar>(), estimates = std::vector<Estimate<Scalar>>()](std::uint32_t v) mutable {
         radii.clear();
         for(int k = 0; k < rungs; ++k)
           radii.push_back(rung(Scalar(k)) * edge_lengths[v]);
         const Site<Snapshot> site = site_at_vertex(mesh_, v);
         engine(site, radii, normals.empty() ? first_normal(site, radii[1]) : normals[v], estimates);
-        return values_of(estimates, edge_lengths[v]);
+        return estimates;
       };
     };
-    Samples samples;
-    for_each_query<ConcurrencyTag>(ranks, make_worker,
-                                   [&](std::uint32_t, const auto& values) { samples.push_back(values); });
-    return samples;
+    for_each_query<ConcurrencyTag>(ranks, make_worker, store);
   }
 
 private:
@@ -168,22 +172,6 @@ private:
       climber.normal = estimate.normal;
     }
     return climber;
-  }
-
-  /// returns the values up to the last radius at which there is an estimate that no border spoils.
-  static Rung_values<Scalar> values_of(const std::vector<Estimate<Scalar>>& estimates, Scalar edge_length)
-  {
-    Rung_values<Scalar> values;
-    for(const Estimate<Scalar>& estimate : estimates)
-    {
-      const Scalar H = (estimate.min_curvature + estimate.max_curvature) / 2 * edge_length;
-      if(estimate.meets_border || !std::isfinite(H))
-        break;
-      values.mean_curvatures[values.usable] = H;
-      values.standard_errors[values.usable] = estimate.standard_error * edge_length;
-      ++values.usable;
-    }
-    return values;
   }
 
   static Samples values_of(const std::vector<Climber>& climbers)

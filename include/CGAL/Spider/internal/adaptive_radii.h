@@ -11,30 +11,19 @@
 
 #include <CGAL/Spider/internal/Error_balance.h>
 #include <CGAL/Spider/internal/Neighbours.h>
-#include <CGAL/Spider/internal/Radius_ladder.h>
 #include <CGAL/Spider/internal/local_radii.h>
+#include <CGAL/Spider/internal/local_steps.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <optional>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Spider {
 namespace internal {
-
-/// Adaptive radii are 2 to 8 edges: beyond, flat places would cost more than all others, and gain what is little
-/// already.
-constexpr int number_of_adaptive_rungs = 5;
-
-/// What mean curvature differs by between successive rungs near each vertex: squares, in units of one over the square
-/// of the edge length, NaN where there is nothing.
-template <typename Scalar>
-using Local_steps = std::array<Scalar, number_of_adaptive_rungs - 1>;
 
 /// returns the variance of mean curvature at a rung, but for a factor: as measured on planes and spheres.
 template <typename Scalar>
@@ -42,45 +31,6 @@ Scalar variance_by_law(int k)
 {
   const Scalar r = rung(Scalar(k)), deviation = 1 / (r * r * (r + 4));
   return deviation * deviation;
-}
-
-/// returns the steps, averaged over neighbourhoods. A third of all vertices climb the ladder: their neighbours see much
-/// the same. On small meshes all do.
-template <typename ConcurrencyTag, typename Ladder, typename Scalar>
-std::vector<Local_steps<Scalar>> local_steps(const Ladder& ladder, const Neighbours& neighbours,
-                                             const std::vector<Scalar>& edge_lengths)
-{
-  constexpr std::size_t one_of = 3, few = 4 * Ladder::sample_size;
-  constexpr int rounds = 80; // with fewer, noise that is high by chance passes for bias; with more, scales are mixed
-  constexpr int steps = number_of_adaptive_rungs - 1;
-  std::vector<std::uint32_t> ranks;
-  for(std::uint32_t v : ladder.vertices_of_faces())
-    if(edge_lengths[v] > 0)
-      ranks.push_back(v);
-  const std::size_t count = std::max(ranks.size() / one_of, few);
-  ranks = subsample(std::move(ranks), count);
-  std::sort(ranks.begin(), ranks.end());
-  const auto samples = ladder.template climb<ConcurrencyTag>(ranks, number_of_adaptive_rungs, edge_lengths);
-
-  // Mean absolute values, as in Error_balance: fits to few vertices may be far off.
-  std::vector<std::array<Scalar, 2 * steps>> sums(edge_lengths.size()); // of the steps' sizes, and of their number
-  for(std::size_t i = 0; i < ranks.size(); ++i)
-    for(int k = 0; k + 1 < samples[i].usable; ++k)
-    {
-      sums[ranks[i]][k] = std::abs(samples[i].mean_curvatures[k + 1] - samples[i].mean_curvatures[k]);
-      sums[ranks[i]][steps + k] = 1;
-    }
-  neighbours.average<ConcurrencyTag>(sums, rounds);
-
-  const Scalar half_pi = std::acos(Scalar(0));
-  std::vector<Local_steps<Scalar>> result(sums.size());
-  for(std::size_t v = 0; v < sums.size(); ++v)
-    for(int k = 0; k < steps; ++k)
-    {
-      const Scalar mean = sums[v][k] / sums[v][steps + k];
-      result[v][k] = half_pi * mean * mean;
-    }
-  return result;
 }
 
 /// How large noise is where edges are of some length.
@@ -149,7 +99,7 @@ template <typename Scalar>
 std::optional<Scalar> local_rung(const Local_steps<Scalar>& steps, Scalar noise)
 {
   constexpr Scalar rounding = Scalar(1e-9); // a surface that bends by less per edge is a plane
-  constexpr Scalar surely = Scalar(1.4); // a mean over a neighbourhood is higher than that by chance one time in fifty
+  constexpr Scalar surely = Scalar(1.5); // a mean over a neighbourhood is higher than that by chance one time in fifty
   constexpr Scalar part_of_next = Scalar(0.6), least_part_of_next = Scalar(0.5);
   int n = 0;
   while(n < int(steps.size()) && std::isfinite(steps[n]))
