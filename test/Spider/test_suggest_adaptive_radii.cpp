@@ -4,7 +4,7 @@
 
 // The promise: on shapes of mixed scale, radii that follow the shape do better than any one radius: the error of mean
 // curvature that one vertex in twenty exceeds. Surfaces have vertices moved by uniform noise in all coordinates; every
-// bound is what was measured over seeds 1 to 5, mean and standard deviation, and a margin of two deviations or more.
+// bound has beside it what was measured over seeds 1 to 5, mean and standard deviation.
 
 #include "estimation.h"
 
@@ -152,7 +152,7 @@ TEST(suggest_adaptive_radii, beat_every_fixed_radius_on_a_gear)
 
 TEST(suggest_adaptive_radii, beat_every_fixed_radius_on_tips)
 {
-  EXPECT_LT(ratio(tips(0.5, 2)), 1.02); // as good or better: 0.980 +- 0.017
+  EXPECT_LT(ratio(tips(0.5, 2)), 1); // measured 0.99; over seeds 1 to 5, 0.980 +- 0.017, one of them 1.001
 }
 
 TEST(suggest_adaptive_radii, are_small_where_a_surface_bends_at_a_small_scale)
