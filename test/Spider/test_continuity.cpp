@@ -163,8 +163,8 @@ TEST(continuity, changes_are_little_on_paths_over_a_noisy_scan)
     GTEST_SKIP() << "there is no " << file << " (Debian and Ubuntu: libcgal-demo)";
   Mesh bunny;
   ASSERT_TRUE(PMP::IO::read_polygon_mesh(file.string(), bunny));
-  // Measured for noise of 0, 0.25 and 0.5: medians of 0.0053, 0.0067 and 0.0087, and at most 0.030, 0.039 and 0.041. The
-  // greatest are on paths along folds that are sharper than the radius.
+  // Measured for noise of 0, 0.25 and 0.5: medians of 0.0053, 0.0067 and 0.0087, and at most 0.030, 0.039 and 0.041.
+  // The greatest are on paths along folds that are sharper than the radius.
   for(double noise : {0., 0.25, 0.5})
   {
     SCOPED_TRACE(noise);
