@@ -77,8 +77,8 @@ private:
       if(share == 0)
         break;
       normal = estimate.normal;
-      if(estimate.has_fit())
-        frame = frame.turned_to(normal);
+      if(estimate.has_fit()) // the paper's directions are counted from the reference in each round
+        frame = Fit::rests_at_best_fit ? frame.turned_to(normal) : Spider_frame<Scalar>(normal, site.reference);
       Spider_extent<Scalar> extent;
       const Spider_fit<Scalar> fit = fit_within_walls(site, frame, reach, extent);
       const Scalar coverage = extent.coverage() * (reach / radius);
