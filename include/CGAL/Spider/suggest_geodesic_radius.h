@@ -103,10 +103,9 @@ void suggest_geodesic_radii(const TriangleMesh& tmesh,
   const std::vector<Scalar> edge_lengths = internal::local_edge_lengths(ladder.mesh());
   auto radii = internal::best_radii<ConcurrencyTag>(ladder, edge_lengths);
   if(radii.empty())
-    radii.push_back({Scalar(1), Scalar(internal::undecided_radius_in_edges)});
+    radii.add(Scalar(1), Scalar(internal::undecided_radius_in_edges));
   for(std::uint32_t v = 0; v < edge_lengths.size(); ++v)
-    put(vertex_radius_map, ladder.vertex(v),
-        static_cast<FT>(edge_lengths[v] * internal::radius_in_edges(radii, edge_lengths[v])));
+    put(vertex_radius_map, ladder.vertex(v), static_cast<FT>(edge_lengths[v] * radii(edge_lengths[v])));
 }
 
 } // namespace Spider

@@ -2,15 +2,16 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// A radius for each vertex, where the scale of the shape varies over the mesh. As `Error_balance` does for a whole mesh,
-// it tells bias from noise by the steps between answers of successive radii, here averaged over neighbourhoods. These
-// are few values, so what noise contributes must be known well, and is told by the whole mesh.
+// A radius for each vertex, where the scale of the shape varies over the mesh. As `Error_balance` does for a whole
+// mesh, it tells bias from noise by the steps between answers of successive radii, here averaged over neighbourhoods.
+// These are few values, so what noise contributes must be known well, and is told by the whole mesh.
 
 #ifndef CGAL_SPIDER_INTERNAL_ADAPTIVE_RADII_H
 #define CGAL_SPIDER_INTERNAL_ADAPTIVE_RADII_H
 
 #include <CGAL/Spider/internal/Error_balance.h>
 #include <CGAL/Spider/internal/Neighbours.h>
+#include <CGAL/Spider/internal/by_density.h>
 #include <CGAL/Spider/internal/local_radii.h>
 #include <CGAL/Spider/internal/local_steps.h>
 
@@ -19,6 +20,7 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -33,64 +35,37 @@ Scalar variance_by_law(int k)
   return deviation * deviation;
 }
 
-/// How large noise is where edges are of some length.
+/// returns how large noise is among short, longer and long edges, as a multiple of what `variance_by_law()` tells for
+/// edges of length one: one class of vertices for each time that their edges' lengths grow fourfold. Some part of each
+/// is smooth enough that the first step shows nothing but noise.
 template <typename Scalar>
-struct Noise_at_density
+Table_by_density<Scalar> noise_by_density(const std::vector<Local_steps<Scalar>>& steps,
+                                          const std::vector<Scalar>& edge_lengths)
 {
-  Scalar edge_length, variance; ///< the latter in multiples of what `variance_by_law()` tells for edges of length one
-};
-
-/// returns how large noise is among short, longer and long edges, in that order: one class of vertices for each time
-/// that their edges' lengths grow fourfold. Some part of each is smooth enough that the first step shows nothing but
-/// noise.
-template <typename Scalar>
-std::vector<Noise_at_density<Scalar>> noise_by_density(const std::vector<Local_steps<Scalar>>& steps,
-                                                       const std::vector<Scalar>& edge_lengths)
-{
-  std::vector<Noise_at_density<Scalar>> found; // one for each vertex, and then one for each class
+  std::vector<std::pair<Scalar, Scalar>> found; // the edges' length at each vertex, and noise
   for(std::size_t v = 0; v < steps.size(); ++v)
     if(const Scalar l = edge_lengths[v]; l > 0 && std::isfinite(steps[v][0]))
-      found.push_back({l, steps[v][0] / (variance_by_law<Scalar>(0) - variance_by_law<Scalar>(1)) * l * l});
-  std::stable_sort(found.begin(), found.end(),
-                   [](const auto& a, const auto& b) { return a.edge_length < b.edge_length; });
-  if(found.empty())
-    return found;
-
-  constexpr std::size_t few = 20, most_classes = 8, least_size = 512; // a twentieth at each end may be exceptional
-  const auto length_at = [&](std::size_t part, std::size_t of) {
-    return found[std::min(part * found.size() / of, found.size() - 1)].edge_length;
-  };
-  const std::size_t wanted =
-    static_cast<std::size_t>(std::ceil(std::log2(length_at(few - 1, few) / length_at(1, few)) / 2));
-  const std::size_t classes = std::max<std::size_t>(1, std::min({most_classes, wanted, found.size() / least_size}));
-
-  constexpr Scalar quarter_of_all_by_chance = Scalar(1.15); // the least quarter is as low as that without any bias
-  std::vector<Noise_at_density<Scalar>> result;
-  for(std::size_t i = 0; i < classes; ++i)
+      found.emplace_back(l, steps[v][0] / (variance_by_law<Scalar>(0) - variance_by_law<Scalar>(1)) * l * l);
+  std::sort(found.begin(), found.end());
+  std::vector<Scalar> lengths, variances;
+  for(const auto& [length, variance] : found)
   {
-    std::vector<Scalar> variances;
-    for(std::size_t j = i * found.size() / classes; j < (i + 1) * found.size() / classes; ++j)
-      variances.push_back(found[j].variance);
-    const auto quartile = variances.begin() + static_cast<std::ptrdiff_t>(variances.size() / 4);
-    std::nth_element(variances.begin(), quartile, variances.end());
-    result.push_back({length_at(2 * i + 1, 2 * classes), quarter_of_all_by_chance * *quartile});
+    lengths.push_back(length);
+    variances.push_back(variance);
   }
-  return result;
-}
 
-/// interpolates, logarithmically, and keeps what is at the ends beyond them.
-template <typename Scalar>
-Scalar noise_at(const std::vector<Noise_at_density<Scalar>>& noise, Scalar edge_length)
-{
-  const auto above = std::upper_bound(noise.begin(), noise.end(), edge_length,
-                                      [](Scalar length, const auto& at) { return length < at.edge_length; });
-  if(above == noise.begin())
-    return noise.front().variance;
-  const auto below = above - 1;
-  if(above == noise.end() || !(below->variance > 0))
-    return below->variance;
-  const Scalar share = std::log(edge_length / below->edge_length) / std::log(above->edge_length / below->edge_length);
-  return below->variance * std::pow(above->variance / below->variance, share);
+  constexpr int octaves_per_class = 2;
+  constexpr std::size_t least_size = 512;
+  constexpr Scalar quarter_of_all_by_chance = Scalar(1.15); // the least quarter is as low as that without any bias
+  Table_by_density<Scalar> noise;
+  for(const auto& among : density_classes(lengths, octaves_per_class, least_size))
+  {
+    const auto begin = variances.begin() + among.begin, end = variances.begin() + among.end;
+    const auto quartile = begin + (end - begin) / 4;
+    std::nth_element(begin, quartile, end);
+    noise.add(among.edge_length, quarter_of_all_by_chance * *quartile);
+  }
+  return noise;
 }
 
 /// returns the rung of least error near a vertex, between rungs too, given noise as a multiple of
@@ -147,7 +122,7 @@ std::vector<typename Ladder::Scalar> adaptive_radii(const Ladder& ladder, typena
   std::vector<std::array<Scalar, 2>> rungs(steps.size()); // and whether there is one
   for(std::size_t v = 0; v < steps.size(); ++v)
     if(const Scalar l = edge_lengths[v]; l > 0)
-      if(const auto best = local_rung(steps[v], noise.empty() ? Scalar(0) : noise_at(noise, l) / (l * l)))
+      if(const auto best = local_rung(steps[v], noise.empty() ? Scalar(0) : noise(l) / (l * l)))
         rungs[v] = {*best, Scalar(1)};
   neighbours.average<ConcurrencyTag>(rungs, rounds);
 

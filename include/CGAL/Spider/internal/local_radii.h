@@ -10,6 +10,7 @@
 #include <CGAL/Spider/internal/Mesh_snapshot.h>
 #include <CGAL/Spider/internal/Radius_ladder.h>
 #include <CGAL/Spider/internal/Site.h>
+#include <CGAL/Spider/internal/by_density.h>
 
 #include <algorithm>
 #include <cmath>
@@ -61,59 +62,27 @@ std::vector<Scalar> local_edge_lengths(const Mesh_snapshot<Scalar>& mesh)
   return lengths;
 }
 
-/// What is best where edges are of some length.
-template <typename Scalar>
-struct Radius_at_density
-{
-  Scalar edge_length, radius_in_edges;
-};
-
-/// returns the best radii for vertices among short, longer and long edges, in that order: as many classes as the edges'
-/// lengths span octaves, with the same number of vertices each.
+/// returns the best radii, in edge lengths, for vertices among short, longer and long edges: one class for each time
+/// that edges' lengths double.
 template <typename ConcurrencyTag, typename Ladder, typename Scalar>
-std::vector<Radius_at_density<Scalar>> best_radii(const Ladder& ladder, const std::vector<Scalar>& edge_lengths)
+Table_by_density<Scalar> best_radii(const Ladder& ladder, const std::vector<Scalar>& edge_lengths)
 {
   std::vector<std::uint32_t> order;
   for(std::uint32_t v : ladder.vertices_of_faces())
     if(edge_lengths[v] > 0)
       order.push_back(v);
-  std::vector<Radius_at_density<Scalar>> radii;
-  if(order.empty())
-    return radii;
   std::stable_sort(order.begin(), order.end(),
                    [&](std::uint32_t v, std::uint32_t w) { return edge_lengths[v] < edge_lengths[w]; });
+  std::vector<Scalar> lengths;
+  for(std::uint32_t v : order)
+    lengths.push_back(edge_lengths[v]);
 
-  constexpr std::size_t few = 20, most_classes = 8; // a twentieth at each end may be exceptional
-  const auto quantile = [&](std::size_t part, std::size_t of) {
-    return edge_lengths[order[std::min(part * order.size() / of, order.size() - 1)]];
-  };
-  const Scalar octaves = std::ceil(std::log2(quantile(few - 1, few) / quantile(1, few)));
-  const std::size_t classes = std::max<std::size_t>(
-    1, std::min({most_classes, static_cast<std::size_t>(octaves), order.size() / Ladder::sample_size}));
-  for(std::size_t i = 0; i < classes; ++i)
-  {
-    const auto from = order.begin() + i * order.size() / classes, to = order.begin() + (i + 1) * order.size() / classes;
-    const auto radius =
-      ladder.template best_radius<ConcurrencyTag>({from, to}, [&](std::uint32_t v) { return edge_lengths[v]; });
-    if(radius)
-      radii.push_back({quantile(2 * i + 1, 2 * classes), *radius});
-  }
+  Table_by_density<Scalar> radii;
+  for(const auto& among : density_classes(lengths, 1, Ladder::sample_size))
+    if(const auto radius = ladder.template best_radius<ConcurrencyTag>(
+         {order.begin() + among.begin, order.begin() + among.end}, [&](std::uint32_t v) { return edge_lengths[v]; }))
+      radii.add(among.edge_length, *radius);
   return radii;
-}
-
-/// interpolates, logarithmically, and keeps what is best at the ends beyond them.
-template <typename Scalar>
-Scalar radius_in_edges(const std::vector<Radius_at_density<Scalar>>& radii, Scalar edge_length)
-{
-  const auto above = std::upper_bound(radii.begin(), radii.end(), edge_length,
-                                      [](Scalar length, const auto& radius) { return length < radius.edge_length; });
-  if(above == radii.begin())
-    return radii.front().radius_in_edges;
-  const auto below = above - 1;
-  if(above == radii.end() || !(edge_length > 0))
-    return below->radius_in_edges;
-  const Scalar share = std::log(edge_length / below->edge_length) / std::log(above->edge_length / below->edge_length);
-  return below->radius_in_edges * std::pow(above->radius_in_edges / below->radius_in_edges, share);
 }
 
 } // namespace internal
