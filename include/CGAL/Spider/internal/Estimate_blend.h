@@ -30,6 +30,14 @@ struct Estimate
   bool has_fit() const { return status == ok || status == partial; }
 };
 
+/// returns the tensor in space that tells how normal curvature differs from mean curvature by direction, in units of
+/// half of what the principal curvatures differ by. Directions have no sign in it.
+template <typename Scalar>
+Eigen::Matrix<Scalar, 3, 3> directions_tensor(const Estimate<Scalar>& e)
+{
+  return e.max_direction * e.max_direction.transpose() - e.min_direction * e.min_direction.transpose();
+}
+
 /// returns a share that falls from 1, for values up to `from`, to 0, for values from `to` on; 0 for NaN.
 template <typename Scalar>
 Scalar falling(Scalar value, Scalar from, Scalar to)
@@ -51,8 +59,7 @@ public:
     const Scalar share_of_all = share * rest_;
     rest_ *= 1 - share;
     mean_curvature_ += share_of_all * (e.min_curvature + e.max_curvature) / 2;
-    differences_ += share_of_all * (e.max_curvature - e.min_curvature) / 2 *
-                    (e.max_direction * e.max_direction.transpose() - e.min_direction * e.min_direction.transpose());
+    differences_ += share_of_all * (e.max_curvature - e.min_curvature) / 2 * directions_tensor(e);
     normal_ += share_of_all * e.normal;
     coverage_ += share_of_all * e.coverage;
     residual_ += share_of_all * e.residual;

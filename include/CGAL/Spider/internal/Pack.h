@@ -201,7 +201,7 @@ inline void read(const std::uint32_t* table, const Pack<double>::Indices& at, Pa
     0xff, _mm512_mask_i64gather_epi32(_mm256_setzero_si256(), 0xff, (__m512i)at, table, 4));
 }
 
-#elif defined(CGAL_SPIDER_HAS_WIDE_PACKS)
+#elif defined(CGAL_SPIDER_HAS_PACKS_OF_4)
 
 inline void read(const double* table, const Pack<double>::Indices& at, Pack<double>::type& elements)
 {

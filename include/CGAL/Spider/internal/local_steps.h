@@ -41,8 +41,7 @@ Scalar difference(const Estimate<Scalar>& a, const Estimate<Scalar>& b)
 {
   const auto mean = [](const Estimate<Scalar>& e) { return (e.min_curvature + e.max_curvature) / 2; };
   const auto deviator = [](const Estimate<Scalar>& e) -> Eigen::Matrix<Scalar, 3, 3> {
-    return (e.max_curvature - e.min_curvature) / 2 *
-           (e.max_direction * e.max_direction.transpose() - e.min_direction * e.min_direction.transpose());
+    return (e.max_curvature - e.min_curvature) / 2 * directions_tensor(e);
   };
   const Scalar of_means = mean(b) - mean(a); // which counts twice: it is both on the diagonal
   return std::sqrt(2 * of_means * of_means + (deviator(b) - deviator(a)).squaredNorm());
