@@ -85,6 +85,12 @@ TYPED_TEST(lanes, a_condition_in_a_single_lane_holds_in_some)
     Values values(1);
     values.set(l, -1);
     EXPECT_TRUE((values < Values(0)).any());
+    auto is_negative = values < Values(0);
+    is_negative.set(l, false);
+    EXPECT_FALSE(is_negative.any());
+    is_negative.set(l, true);
+    for(int i = 0; i < number_of_lanes; ++i)
+      EXPECT_EQ(is_negative[i], i == l);
   }
 }
 
@@ -99,27 +105,31 @@ TYPED_TEST(lanes, places_of_tables_are_looked_up_each)
 {
   using Values = typename TestFixture::Values;
   using Indices = typename TestFixture::Indices;
-  constexpr std::uint32_t size = 1000, last = std::numeric_limits<std::uint32_t>::max();
+  constexpr std::uint32_t size = 1000;
+  constexpr std::uint64_t large = 1u << 31; // negative as a signed number of half the size
   std::vector<TypeParam> numbers;
-  std::vector<std::uint32_t> places;
+  std::vector<std::uint64_t> places;
   for(std::uint32_t i = 0; i < size; ++i)
   {
     numbers.push_back(static_cast<TypeParam>(i) / 8);
-    places.push_back(i % 3 == 0 ? last - i : i); // some would be negative as signed numbers
+    places.push_back(i % 3 == 0 ? large + i : i);
   }
   std::mt19937 random(2);
   for(int repeat = 0; repeat < 100; ++repeat)
   {
     Indices at(0);
     for(int l = 0; l < number_of_lanes; ++l)
-      at.set(l, random() % (size / 4));
-    const Values found = internal::gather<Values>(numbers.data(), at + at + at);
+      at.set(l, random() % (size / 3));
+    Values first, second, third;
+    internal::gather(numbers.data(), at + at + at, first, second, third);
     const Indices next = internal::gather<Indices>(places.data(), at);
     const auto is_small = next < Indices(1u << 30);
     for(int l = 0; l < number_of_lanes; ++l)
     {
       const std::uint32_t i = at[l];
-      EXPECT_EQ(found[l], numbers[3 * i]);
+      EXPECT_EQ(first[l], numbers[3 * i]);
+      EXPECT_EQ(second[l], numbers[3 * i + 1]);
+      EXPECT_EQ(third[l], numbers[3 * i + 2]);
       EXPECT_EQ(next[l], places[i]);
       EXPECT_EQ(is_small[l], i % 3 != 0);
       EXPECT_EQ(((at & Indices(3)) == Indices(0))[l], i % 4 == 0);

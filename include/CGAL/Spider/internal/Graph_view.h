@@ -119,11 +119,12 @@ public:
     return Attributes::has_costs && across != null_halfedge() && !std::isfinite(growth_cost(across));
   }
 
-  /// Beyond an edge: whether limbs of one patch may go on there, and then the halfedge that starts at the apex of the face
-  /// across; else the edge itself.
+  /// Beyond an edge: whether limbs of one patch may go on there, and then the apex of the face across and the halfedge
+  /// that starts there; else the edge itself and where it starts.
   struct Beyond
   {
     Halfedge third;
+    Vertex apex;
     bool is_open;
   };
 
@@ -131,8 +132,9 @@ public:
   {
     const Halfedge across = opposite(h);
     if(across == null_halfedge() || is_feature(h) || is_closed_to_growth(h))
-      return {h, false};
-    return {other_edges(across).second, true};
+      return {h, source(h), false};
+    const Halfedge third = other_edges(across).second;
+    return {third, source(third), true};
   }
 
   /// returns the halfedge that leads to the start of another one in its triangle.

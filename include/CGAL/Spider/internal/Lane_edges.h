@@ -16,6 +16,37 @@ namespace CGAL {
 namespace Spider {
 namespace internal {
 
+/// What lies beyond the edges at which limbs in lockstep are: the apexes of the faces across, where limbs may go on.
+template <typename View>
+struct Lane_beyond
+{
+  using Mask = Lane_mask<typename View::Scalar>;
+  static constexpr bool is_read_ahead = false; ///< whether to read before it is known which limb goes where
+
+  std::array<typename View::Beyond, number_of_lanes> of_edges;
+
+  Mask is_open() const
+  {
+    Mask open{};
+    CGAL_SPIDER_FOR_EACH(l, 0, number_of_lanes)
+      open.set(l, of_edges[l].is_open);
+    return open;
+  }
+
+  Lane_points<typename View::Scalar> apexes(const View& view) const
+  {
+    std::array<typename View::Scalar, number_of_lanes> x, y, z;
+    CGAL_SPIDER_FOR_EACH(l, 0, number_of_lanes)
+    {
+      const auto& point = view.point(of_edges[l].apex);
+      x[l] = point.x();
+      y[l] = point.y();
+      z[l] = point.z();
+    }
+    return {Lanes<typename View::Scalar>(x), Lanes<typename View::Scalar>(y), Lanes<typename View::Scalar>(z)};
+  }
+};
+
 /// The edges at which limbs in lockstep are, and what these ask a mesh there: lane by lane, in any view of it.
 template <typename View>
 class Lane_edges
@@ -31,58 +62,49 @@ public:
   Halfedge operator[](int lane) const { return edges_[lane]; }
   void set(int lane, Halfedge edge) { edges_[lane] = edge; }
 
-  /// returns the edges that start at the apexes across where limbs may go on there, the edges themselves elsewhere.
-  Lane_edges beyond(const View& view, Mask& is_open) const
+  Lane_beyond<View> beyond(const View& view) const
   {
-    Lane_edges third;
-    std::array<Scalar, number_of_lanes> open;
-    for(int l = 0; l < number_of_lanes; ++l)
-    {
-      const auto beyond = view.beyond(edges_[l]);
-      third.edges_[l] = beyond.third;
-      open[l] = beyond.is_open;
-    }
-    is_open = Lanes<Scalar>(open) > Lanes<Scalar>(0);
-    return third;
+    Lane_beyond<View> beyond;
+    CGAL_SPIDER_FOR_EACH(l, 0, number_of_lanes)
+      beyond.of_edges[l] = view.beyond(edges_[l]);
+    return beyond;
+  }
+
+  /// returns the edges that start at the apexes across, these edges themselves where limbs may not go on.
+  Lane_edges thirds(const Lane_beyond<View>& beyond) const
+  {
+    Lane_edges edges;
+    CGAL_SPIDER_FOR_EACH(l, 0, number_of_lanes)
+      edges.edges_[l] = beyond.of_edges[l].third;
+    return edges;
   }
 
   /// returns the edges that lead to where these start, in their triangles.
   Lane_edges preceding(const View& view) const
   {
     Lane_edges edges;
-    for(int l = 0; l < number_of_lanes; ++l)
+    CGAL_SPIDER_FOR_EACH(l, 0, number_of_lanes)
       edges.edges_[l] = view.preceding(edges_[l]);
     return edges;
-  }
-
-  /// returns the points where the edges start.
-  Lane_points<Scalar> sources(const View& view) const
-  {
-    std::array<Scalar, number_of_lanes> x, y, z;
-    for(int l = 0; l < number_of_lanes; ++l)
-    {
-      const auto& point = view.point(view.source(edges_[l]));
-      x[l] = point.x();
-      y[l] = point.y();
-      z[l] = point.z();
-    }
-    return {Lanes<Scalar>(x), Lanes<Scalar>(y), Lanes<Scalar>(z)};
   }
 
   friend Lane_edges select(const Mask& condition, const Lane_edges& a, const Lane_edges& b)
   {
     Lane_edges edges;
-    for(int l = 0; l < number_of_lanes; ++l)
-      edges.edges_[l] = condition[l] ? a.edges_[l] : b.edges_[l];
+    CGAL_SPIDER_FOR_EACH(l, 0, number_of_lanes)
+    {
+      const Halfedge of_a = a.edges_[l], of_b = b.edges_[l]; // both are read, so that nothing branches
+      edges.edges_[l] = condition[l] ? of_a : of_b;
+    }
     return edges;
   }
 
   friend Mask operator==(const Lane_edges& a, const Lane_edges& b)
   {
-    std::array<Scalar, number_of_lanes> same;
-    for(int l = 0; l < number_of_lanes; ++l)
-      same[l] = a.edges_[l] == b.edges_[l];
-    return Lanes<Scalar>(same) > Lanes<Scalar>(0);
+    Mask same{};
+    CGAL_SPIDER_FOR_EACH(l, 0, number_of_lanes)
+      same.set(l, a.edges_[l] == b.edges_[l]);
+    return same;
   }
 
 private:
@@ -91,13 +113,41 @@ private:
 
 #if defined(CGAL_SPIDER_HAS_WIDE_PACKS)
 
-/// In a snapshot, edges are numbers and the rest is in tables: all lanes look at once. Machines with narrow registers
-/// are faster with one lane after the other.
+// In a snapshot, edges are numbers and the rest is in tables: all lanes look at once. Machines with narrow registers
+// are faster with one lane after the other.
+
+template <typename Scalar>
+struct Lane_beyond<Mesh_snapshot<Scalar>>
+{
+  using View = Mesh_snapshot<Scalar>;
+  using Indices = Lane_indices<Scalar>;
+  using Mask = Lane_mask<Scalar>;
+
+  static constexpr bool is_read_ahead = true;
+
+  Indices across; ///< as the snapshot packs it
+
+  Indices thirds() const { return across & Indices(View::null_halfedge()); }
+  Mask is_open() const { return thirds() < Indices(View::first_flagged); }
+
+  Lane_points<Scalar> apexes(const View& view) const
+  {
+    const Indices vertex = across >> View::bits_of_third, at = vertex + vertex + vertex;
+    Lane_points<Scalar> points;
+    gather(view.coordinates(), at, points.x, points.y, points.z);
+    return points;
+  }
+
+  friend Lane_beyond select(const Mask& condition, const Lane_beyond& a, const Lane_beyond& b)
+  {
+    return {select(condition, a.across, b.across)};
+  }
+};
+
 template <typename Scalar>
 class Lane_edges<Mesh_snapshot<Scalar>>
 {
   using View = Mesh_snapshot<Scalar>;
-  using Values = Lanes<Scalar>;
   using Indices = Lane_indices<Scalar>;
   using Mask = Lane_mask<Scalar>;
 
@@ -108,24 +158,14 @@ public:
   std::uint32_t operator[](int lane) const { return edges_[lane]; }
   void set(int lane, std::uint32_t edge) { edges_.set(lane, edge); }
 
-  Lane_edges beyond(const View& view, Mask& is_open) const
-  {
-    const Indices third = gather<Indices>(view.thirds_across(), View::slot(edges_));
-    is_open = third < Indices(View::first_flagged);
-    return select(is_open, third, edges_);
-  }
+  Lane_beyond<View> beyond(const View& view) const { return {gather<Indices>(view.across(), View::slot(edges_))}; }
+
+  Lane_edges thirds(const Lane_beyond<View>& beyond) const { return select(beyond.is_open(), beyond.thirds(), edges_); }
 
   Lane_edges preceding(const View&) const
   {
     const Mask is_first = (edges_ & Indices(3)) == Indices(0);
     return edges_ + select(is_first, Indices(2), Indices(0) - Indices(1));
-  }
-
-  Lane_points<Scalar> sources(const View& view) const
-  {
-    const Indices vertex = gather<Indices>(view.sources(), View::slot(edges_)), at = vertex + vertex + vertex;
-    const Scalar* coordinates = view.coordinates();
-    return {gather<Values>(coordinates, at), gather<Values>(coordinates + 1, at), gather<Values>(coordinates + 2, at)};
   }
 
   friend Lane_edges select(const Mask& condition, const Lane_edges& a, const Lane_edges& b)

@@ -19,11 +19,13 @@ struct Lane_exits
 {
   using Scalar = typename View::Scalar;
   using Edges = Lane_edges<View>;
+  using Beyond = Lane_beyond<View>;
   using Values = Lanes<Scalar>;
   using Mask = Lane_mask<Scalar>;
 
   Values cosine, sine, shift;
   Edges edge;
+  Beyond beyond;
   Lane_points<Scalar> source, target; ///< the ends of the edges
   Values source_side, target_side;
 
@@ -54,11 +56,12 @@ struct Lane_exits
       edge = select(ahead, Edges(e.edge), edge);
     }
     doubtful = doubtful | !offered;
-    if(!doubtful.any())
-      return;
-    for(int l = 0; l < number_of_lanes; ++l)
-      if(doubtful[l])
-        find_alone(l, view, site, star.local);
+    if(doubtful.any())
+      for(int l = 0; l < number_of_lanes; ++l)
+        if(doubtful[l])
+          find_alone(l, view, site, star.local);
+    if constexpr(Beyond::is_read_ahead)
+      beyond = edge.beyond(view);
   }
 
   Values side(const Values& x, const Values& y) const { return cosine * y - sine * x + shift; }
@@ -83,37 +86,48 @@ struct Lane_exits
     return absolute(a.x) + absolute(a.y) + absolute(a.z) < Values(farthest);
   }
 
-  /// What lies across the edges: the triangles' third vertices, where limbs may go on there.
+  /// The faces across the edges: their apexes, and the two edges of each by which a limb may leave it.
   struct Across
   {
-    Edges third; ///< the edges that start at these vertices
-    Mask is_open;
     Lane_points<Scalar> apex;
     Values apex_side;
+    Edges from_apex, to_apex;
+    Beyond beyond_from_apex, beyond_to_apex;
   };
 
   /// looks across the edges, where limbs will go or not. What is to be read takes a while to come, and there may be
-  /// other things to do meanwhile.
-  Across look_across(const View& view, const Local_coordinates<Scalar>& local) const
+  /// other things to do meanwhile. Hence what lies beyond the next edges may be read before it is known which limb
+  /// takes which.
+  Across look_across(const View& view, const Local_coordinates<Scalar>& local)
   {
+    if constexpr(!Beyond::is_read_ahead)
+      beyond = edge.beyond(view);
     Across across;
-    across.third = edge.beyond(view, across.is_open);
-    across.apex = local(across.third.sources(view));
+    across.from_apex = edge.thirds(beyond);
+    across.to_apex = across.from_apex.preceding(view);
+    if constexpr(Beyond::is_read_ahead)
+    {
+      across.beyond_from_apex = across.from_apex.beyond(view);
+      across.beyond_to_apex = across.to_apex.beyond(view);
+    }
+    across.apex = local(beyond.apexes(view));
     across.apex_side = side(across.apex.x, across.apex.y);
     return across;
   }
 
   /// crosses edges into the next faces and finds the edges by which the planes leave those, for limbs that go and may
   /// go on there. Returns which these are.
-  Mask cross(const View& view, const Across& across, const Mask& going)
+  Mask cross(const Across& across, const Mask& going)
   {
     const Values zero(0);
-    const Mask goes_on = going & across.is_open & is_near(across.apex);
+    const Mask goes_on = going & beyond.is_open() & is_near(across.apex);
     const Mask is_of_source = (source_side >= zero) == (across.apex_side >= zero);
     const Mask at_source = goes_on & is_of_source, at_target = goes_on & !is_of_source;
     replace_source(at_source, across.apex, across.apex_side);
     replace_target(at_target, across.apex, across.apex_side);
-    edge = select(at_source, across.third, select(at_target, across.third.preceding(view), edge));
+    edge = select(at_source, across.from_apex, select(at_target, across.to_apex, edge));
+    if constexpr(Beyond::is_read_ahead)
+      beyond = select(at_source, across.beyond_from_apex, select(at_target, across.beyond_to_apex, beyond));
     return goes_on;
   }
 

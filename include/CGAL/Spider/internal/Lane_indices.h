@@ -6,6 +6,7 @@
 #define CGAL_SPIDER_INTERNAL_LANE_INDICES_H
 
 #include <CGAL/Spider/internal/Lanes.h>
+#include <CGAL/Spider/internal/read_packs.h>
 
 #include <array>
 #include <cstdint>
@@ -72,7 +73,7 @@ struct Lane_indices
   }
 };
 
-/// returns what a table has at given places, as `Lanes` or `Lane_indices`.
+/// returns what a table has at given places, as `Lane_indices`.
 template <typename Result, typename Element, typename T>
 Result gather(const Element* table, const Lane_indices<T>& at)
 {
@@ -81,6 +82,15 @@ Result gather(const Element* table, const Lane_indices<T>& at)
   CGAL_SPIDER_FOR_EACH_PACK(i)
     read(table, at.packs[i], result.packs[i]);
   return result;
+}
+
+/// gathers three numbers that follow one another in a table, from given places on.
+template <typename T>
+void gather(const T* table, const Lane_indices<T>& at, Lanes<T>& a, Lanes<T>& b, Lanes<T>& c)
+{
+  constexpr int number_of_packs = Lanes<T>::number_of_packs;
+  CGAL_SPIDER_FOR_EACH_PACK(i)
+    read(table, at.packs[i], a.packs[i], b.packs[i], c.packs[i]);
 }
 
 } // namespace internal

@@ -3,7 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Values of several limbs that go in lockstep, in packs. The operations are the same whatever the machine, so the
-// answers are.
+// answers are, but for the rounding of sums over limbs.
 
 #ifndef CGAL_SPIDER_INTERNAL_LANES_H
 #define CGAL_SPIDER_INTERNAL_LANES_H
@@ -41,21 +41,22 @@ namespace CGAL {
 namespace Spider {
 namespace internal {
 
-/// How many limbs go in lockstep: enough to have something to do for some while others wait for memory.
-constexpr int number_of_lanes = 8;
+/// How many limbs go in lockstep: as many as one register holds. With more there are too few registers for what a limb
+/// carries along.
+constexpr int number_of_lanes = sizeof(Pack<double>::type) / sizeof(double);
 
 /// A condition in each lane.
 template <typename T>
 struct Lane_mask
 {
   using Packed = typename Pack<T>::Mask;
-  static constexpr int number_of_packs = static_cast<int>(number_of_lanes * sizeof(T) / sizeof(typename Pack<T>::type));
+  static constexpr int lanes_per_pack = static_cast<int>(sizeof(typename Pack<T>::type) / sizeof(T));
+  static constexpr int number_of_packs = number_of_lanes / lanes_per_pack;
 
   Packed packs[number_of_packs];
 
   bool operator[](int lane) const
   {
-    constexpr int lanes_per_pack = number_of_lanes / number_of_packs;
     const Packed& pack = packs[lane / lanes_per_pack];
     if constexpr(std::is_same<Packed, bool>::value)
       return pack;
@@ -63,6 +64,17 @@ struct Lane_mask
       return (pack >> lane % lanes_per_pack & 1) != 0;
     else
       return pack[lane % lanes_per_pack] != 0;
+  }
+
+  void set(int lane, bool value)
+  {
+    Packed& pack = packs[lane / lanes_per_pack];
+    if constexpr(std::is_same<Packed, bool>::value)
+      pack = value;
+    else if constexpr(std::is_integral<Packed>::value)
+      pack = static_cast<Packed>((pack & ~(1 << lane % lanes_per_pack)) | value << lane % lanes_per_pack);
+    else
+      pack[lane % lanes_per_pack] = value ? -1 : 0;
   }
 
   bool any() const
@@ -75,7 +87,7 @@ struct Lane_mask
 
   CGAL_SPIDER_LANE_OPERATOR(Lane_mask, Lane_mask, &)
   CGAL_SPIDER_LANE_OPERATOR(Lane_mask, Lane_mask, |)
-  CGAL_SPIDER_LANE_COMPARISON(Lane_mask, Lane_mask, ==, is_equal)
+  CGAL_SPIDER_LANE_COMPARISON(Lane_mask, Lane_mask, ==, agree)
 
   friend Lane_mask operator!(const Lane_mask& a)
   {
@@ -90,7 +102,7 @@ struct Lanes
 {
   using Packed = typename Pack<T>::type;
   using Mask = Lane_mask<T>;
-  static constexpr int number_of_packs = Mask::number_of_packs;
+  static constexpr int lanes_per_pack = Mask::lanes_per_pack, number_of_packs = Mask::number_of_packs;
 
   Packed packs[number_of_packs];
 
@@ -117,7 +129,7 @@ struct Lanes
     if constexpr(std::is_same<Packed, T>::value)
       packs[lane] = value;
     else
-      packs[lane * number_of_packs / number_of_lanes][lane % (number_of_lanes / number_of_packs)] = value;
+      packs[lane / lanes_per_pack][lane % lanes_per_pack] = value;
   }
 
   CGAL_SPIDER_LANE_OPERATOR(Lanes, Lanes, +)
@@ -160,7 +172,7 @@ struct Lanes
     else
     {
       T total = sum[0];
-      for(int i = 1; i < number_of_lanes / number_of_packs; ++i)
+      for(int i = 1; i < lanes_per_pack; ++i)
         total += sum[i];
       return total;
     }

@@ -43,11 +43,9 @@ public:
     : view_(view), local_(star.local), at_(view, site, star, cosines, sines), circles_(at_.edge),
       by_arc_length_(measure == arc_length), y_(0), z_(0), length_(0), height_(0), reached_(0)
   {
-    Values is_limb(1);
-    for(int l = number_of_limbs; l < number_of_lanes; ++l)
-      is_limb.set(l, 0);
-    growing_ = (is_limb > Values(0)) & at_.is_near(at_.source) & at_.is_near(at_.target);
-    resting_ = complete_ = closed_ = !(is_limb >= Values(0));
+    for(int l = 0; l < number_of_lanes; ++l)
+      growing_.set(l, l < number_of_limbs);
+    growing_ = growing_ & at_.is_near(at_.source) & at_.is_near(at_.target);
     end_.fill(site.end_at_once);
     if(view_.has_growth_costs())
       enter_faces(growing_);
@@ -130,24 +128,22 @@ private:
   template <typename Shares, typename Arrival>
   void send_on(const Shares& shares, std::array<std::size_t, number_of_lanes>& next, Arrival&& arrive)
   {
-    Values goes_on(0);
     for(int l = 0; l < number_of_lanes; ++l)
     {
       if(!resting_[l] || next[l] + 1 == shares.size())
         continue;
       arrive(l, next[l]);
       share_of_radius_.set(l, shares[++next[l]]);
-      goes_on.set(l, 1);
+      growing_.set(l, true);
     }
     limit_.set_radius(share_of_radius_);
-    growing_ = growing_ | (goes_on > Values(0));
     complete_ = complete_ & !growing_;
   }
 
   /// crosses edges into the next faces and finds the edges by which the planes leave those.
   void cross_edges(const Across& across)
   {
-    const Mask goes_on = at_.cross(view_, across, growing_ & !closed_), stops = growing_ & !goes_on;
+    const Mask goes_on = at_.cross(across, growing_ & !closed_), stops = growing_ & !goes_on;
     if(stops.any())
       note_stops(stops);
     if((goes_on & (circles_.are_first(at_.edge) | circles_.are_passed(at_.edge))).any())
@@ -159,7 +155,7 @@ private:
   /// has the next segments cost as many times their length as the faces tell, and ends limbs in faces of infinite cost.
   void enter_faces(const Mask& entering)
   {
-    Values costs = limit_.cost(), ends(0);
+    Values costs = limit_.cost();
     for(int l = 0; l < number_of_lanes; ++l)
     {
       if(!entering[l])
@@ -169,11 +165,10 @@ private:
         costs.set(l, cost);
       else
       {
-        ends.set(l, 1);
+        growing_.set(l, false);
         end_[l] = slowed;
       }
     }
-    growing_ = growing_ & !(ends > Values(0));
     limit_.enter(costs, reached_);
   }
 
@@ -226,8 +221,9 @@ private:
   Values length_, height_, reached_; ///< how long it is, how far from the tangent plane it was, and how far it came
   Growth_limit<Values> limit_;
   Values share_of_radius_{1}; ///< that is walked to
-  Mask growing_, closed_;
-  Mask resting_, complete_; ///< a limb rests after the step that led it that far, and is complete if it came that far
+  Mask growing_{}, closed_{};
+  /// A limb rests after the step that led it as far as is walked, and is complete if it came that far.
+  Mask resting_{}, complete_{};
   std::array<Limb_end, number_of_lanes> end_; ///< of those that aren't complete
 };
 

@@ -60,12 +60,12 @@ public:
     moments_[0] += powers[0];
     moments_[1] += powers[1];
     moments_[2] += powers[1] * y;
-    for(int i = 0; i <= height; ++i)
+    CGAL_SPIDER_FOR_EACH(i, 0, height + 1)
     {
-      for(int k = 0; k < number_of_powers; ++k)
+      CGAL_SPIDER_FOR_EACH(k, 0, number_of_powers)
         mixed_[i][k] += powers[k] * functions[i];
       const Values weighted = weight * functions[i];
-      for(int k = 0; k <= i; ++k)
+      CGAL_SPIDER_FOR_EACH(k, 0, i + 1)
         products_[i][k] += weighted * functions[k];
     }
   }
@@ -90,20 +90,20 @@ public:
   {
     std::array<int, Basis::linear + Basis::neglected> terms;
     std::array<Values, Basis::linear + Basis::neglected> turning;
-    for(int i = 0; i < Basis::linear + Basis::neglected; ++i)
+    CGAL_SPIDER_FOR_EACH(i, 0, Basis::linear + Basis::neglected)
     {
       terms[i] = i < Basis::linear ? i : Basis::curved + i;
       turning[i] = Basis::turning(terms[i], cosine, sine);
-      for(int k = 0; k <= i; ++k)
+      CGAL_SPIDER_FOR_EACH(k, 0, i + 1)
         equations.matrix[terms[i]][terms[k]] += turning[i] * turning[k] * moment(terms[i], terms[k]);
       equations.right_side[terms[i]] += turning[i] * mixed_[height][power(terms[i])];
-      for(int k = 0; k < Basis::curved; ++k)
+      CGAL_SPIDER_FOR_EACH(k, 0, Basis::curved)
         (i < Basis::linear ? equations.matrix[Basis::linear + k][i] : equations.matrix[terms[i]][Basis::linear + k]) +=
           turning[i] * mixed_[k][power(terms[i])];
     }
-    for(int i = 0; i < Basis::curved; ++i)
+    CGAL_SPIDER_FOR_EACH(i, 0, Basis::curved)
     {
-      for(int k = 0; k <= i; ++k)
+      CGAL_SPIDER_FOR_EACH(k, 0, i + 1)
         equations.matrix[Basis::linear + i][Basis::linear + k] += products_[i][k];
       equations.right_side[Basis::linear + i] += products_[height][i];
     }

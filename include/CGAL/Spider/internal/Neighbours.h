@@ -8,7 +8,6 @@
 #define CGAL_SPIDER_INTERNAL_NEIGHBOURS_H
 
 #include <CGAL/Spider/internal/Mesh_snapshot.h>
-#include <CGAL/Spider/internal/Site.h>
 #include <CGAL/Spider/internal/for_each_chunk.h>
 #include <CGAL/Spider/internal/numbers.h>
 
@@ -37,10 +36,9 @@ public:
     for(std::uint32_t v = 0; v < n; ++v)
     {
       if(mesh.first_corner(v) != Mesh_snapshot<Scalar>::null_halfedge())
-        visit_corners(mesh, mesh.first_corner(v), [&](std::uint32_t corner) {
-          const auto edge = mesh.other_edges(corner).first;
-          neighbours_.push_back(mesh.source(edge));
-          neighbours_.push_back(mesh.target(edge));
+        mesh.visit_star(mesh.first_corner(v), [&](std::uint32_t a, std::uint32_t b) {
+          neighbours_.push_back(a);
+          neighbours_.push_back(b);
         });
       const auto begin = neighbours_.begin() + static_cast<std::ptrdiff_t>(first_.back());
       std::sort(begin, neighbours_.end());

@@ -16,7 +16,6 @@
 #endif
 
 #include <cstddef>
-#include <cstdint>
 #include <cstring>
 #include <type_traits>
 
@@ -87,10 +86,24 @@ Mask_of<Packed> is_equal(const Packed& a, const Packed& b)
   return (Mask_of<Packed>)(a == b);
 }
 
+/// returns where two conditions both hold or both don't: bit by bit, since narrow registers can't compare longer
+/// numbers.
+template <typename Mask>
+Mask agree(const Mask& a, const Mask& b)
+{
+  if constexpr(std::is_same<Mask, bool>::value)
+    return a == b;
+  else
+    return static_cast<Mask>(~(a ^ b));
+}
+
 template <typename Mask, typename Packed>
 Packed choose(const Mask& condition, const Packed& a, const Packed& b)
 {
-  return condition ? a : b;
+  if constexpr(std::is_integral<Mask>::value)
+    return condition ? a : b;
+  else
+    return (Packed)(((Mask)a & condition) | ((Mask)b & ~condition)); // `?:` would compare the condition with 0 first
 }
 
 #if defined(CGAL_SPIDER_HAS_PACKS_OF_8)
@@ -115,11 +128,6 @@ inline Pack<double>::Mask is_less(const Pack<double>::Indices& a, const Pack<dou
 inline Pack<double>::Mask is_equal(const Pack<double>::Indices& a, const Pack<double>::Indices& b)
 {
   return _mm512_cmpeq_epi64_mask((__m512i)a, (__m512i)b);
-}
-
-inline Pack<double>::Mask is_equal(const Pack<double>::Mask& a, const Pack<double>::Mask& b)
-{
-  return static_cast<Pack<double>::Mask>(~(a ^ b));
 }
 
 inline Pack<double>::type choose(const Pack<double>::Mask& condition, const Pack<double>::type& a,
@@ -174,47 +182,6 @@ inline Pack<double>::type exact_square_root<double>(const Pack<double>::type& a)
 {
   return (Pack<double>::type)_mm512_maskz_sqrt_pd(0xff, (__m512d)a);
 }
-#endif
-
-// Places of a table are read one by one, but for machines that read several at once.
-
-template <typename Element, typename Indices, typename Packed>
-void read(const Element* table, const Indices& at, Packed& elements)
-{
-  if constexpr(std::is_integral<Indices>::value)
-    elements = table[at];
-  else
-    for(std::size_t i = 0; i < sizeof(Indices) / sizeof(at[0]); ++i)
-      elements[i] = table[at[i]];
-}
-
-#if defined(CGAL_SPIDER_HAS_PACKS_OF_8)
-
-inline void read(const double* table, const Pack<double>::Indices& at, Pack<double>::type& elements)
-{
-  elements = (Pack<double>::type)_mm512_mask_i64gather_pd(_mm512_setzero_pd(), 0xff, (__m512i)at, table, 8);
-}
-
-inline void read(const std::uint32_t* table, const Pack<double>::Indices& at, Pack<double>::Indices& elements)
-{
-  elements = (Pack<double>::Indices)_mm512_maskz_cvtepu32_epi64(
-    0xff, _mm512_mask_i64gather_epi32(_mm256_setzero_si256(), 0xff, (__m512i)at, table, 4));
-}
-
-#elif defined(CGAL_SPIDER_HAS_PACKS_OF_4)
-
-inline void read(const double* table, const Pack<double>::Indices& at, Pack<double>::type& elements)
-{
-  const __m256d all = _mm256_castsi256_pd(_mm256_set1_epi64x(-1));
-  elements = (Pack<double>::type)_mm256_mask_i64gather_pd(_mm256_setzero_pd(), table, (__m256i)at, all, 8);
-}
-
-inline void read(const std::uint32_t* table, const Pack<double>::Indices& at, Pack<double>::Indices& elements)
-{
-  elements = (Pack<double>::Indices)_mm256_cvtepu32_epi64(_mm256_mask_i64gather_epi32(
-    _mm_setzero_si128(), reinterpret_cast<const int*>(table), (__m256i)at, _mm_set1_epi32(-1), 4));
-}
-
 #endif
 
 } // namespace internal

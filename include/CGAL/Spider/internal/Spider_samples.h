@@ -85,7 +85,7 @@ public:
     const auto source = Basis::curved_at(next.source.x, next.source.y);
     const auto target = Basis::curved_at(next.target.x, next.target.y);
     Functions middle;
-    for(int k = 0; k <= Basis::curved; ++k)
+    CGAL_SPIDER_FOR_EACH(k, 0, Basis::curved + 1)
     {
       const Values crossing = k < Basis::curved ? between(source[k], target[k], next.crossing)
                                                 : between(next.source.z, next.target.z, next.crossing);

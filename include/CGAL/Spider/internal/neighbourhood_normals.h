@@ -83,10 +83,8 @@ private:
         if(passes_[v] == 0)
           return;
         Coordinates sum = current[v];
-        visit_corners(mesh, mesh.first_corner(static_cast<Vertex>(v)), [&](typename Mesh::Halfedge corner) {
-          const auto edge = mesh.other_edges(corner).first;
-          sum += current[mesh.source(edge)] / 2 + current[mesh.target(edge)] / 2;
-        });
+        mesh.visit_star(mesh.first_corner(static_cast<Vertex>(v)),
+                        [&](Vertex a, Vertex b) { sum += current[a] / 2 + current[b] / 2; });
         next[v] = sum;
         if(passes_[v] == pass)
           vectors_[v].template segment<count>(first) = sum;
