@@ -164,18 +164,11 @@ struct Lanes
 
   T sum() const
   {
-    Packed sum = packs[0];
-    for(int i = 1; i < number_of_packs; ++i)
-      sum = sum + packs[i];
-    if constexpr(std::is_same<Packed, T>::value)
-      return sum;
-    else
-    {
-      T total = sum[0];
-      for(int i = 1; i < lanes_per_pack; ++i)
-        total += sum[i];
-      return total;
-    }
+    std::array<T, number_of_lanes> sums = values();
+    for(int half = number_of_lanes / 2; half > 0; half /= 2)
+      for(int l = 0; l < half; ++l)
+        sums[l] += sums[l + half];
+    return sums[0];
   }
 };
 
