@@ -2,6 +2,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// CGAL 6 has AABB_traits under another name, and still under this one.
+#define CGAL_NO_DEPRECATION_WARNINGS
+
 #include "surface_distance.h"
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
