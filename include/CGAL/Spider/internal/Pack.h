@@ -11,7 +11,7 @@
 
 #include <Eigen/Core>
 
-#if defined(__AVX2__)
+#if defined(__SSE2__)
 #include <immintrin.h>
 #endif
 
@@ -106,9 +106,35 @@ Packed choose(const Mask& condition, const Packed& a, const Packed& b)
     return (Packed)(((Mask)a & condition) | ((Mask)b & ~condition)); // `?:` would compare the condition with 0 first
 }
 
-#if defined(CGAL_SPIDER_HAS_PACKS_OF_8)
+// Comparisons are by their names, since GCC 12 makes wrong code of `a < b` beside `a >= b` where it combines them.
 
-// by their names, since GCC 12 makes wrong code of `a < b` beside `a >= b` at -O1
+#if defined(CGAL_SPIDER_HAS_PACKS_OF_4)
+
+inline Pack<double>::Mask is_less(const Pack<double>::type& a, const Pack<double>::type& b)
+{
+  return (Pack<double>::Mask)_mm256_cmp_pd((__m256d)a, (__m256d)b, _CMP_LT_OQ);
+}
+
+inline Pack<double>::Mask is_at_least(const Pack<double>::type& a, const Pack<double>::type& b)
+{
+  return (Pack<double>::Mask)_mm256_cmp_pd((__m256d)a, (__m256d)b, _CMP_GE_OQ);
+}
+
+#elif defined(__GNUC__) && defined(__SSE2__) && !defined(CGAL_SPIDER_HAS_PACKS_OF_8)
+
+inline Pack<double>::Mask is_less(const Pack<double>::type& a, const Pack<double>::type& b)
+{
+  return (Pack<double>::Mask)_mm_cmplt_pd((__m128d)a, (__m128d)b);
+}
+
+inline Pack<double>::Mask is_at_least(const Pack<double>::type& a, const Pack<double>::type& b)
+{
+  return (Pack<double>::Mask)_mm_cmpge_pd((__m128d)a, (__m128d)b);
+}
+
+#endif
+
+#if defined(CGAL_SPIDER_HAS_PACKS_OF_8)
 
 inline Pack<double>::Mask is_less(const Pack<double>::type& a, const Pack<double>::type& b)
 {
