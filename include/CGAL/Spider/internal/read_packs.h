@@ -57,19 +57,21 @@ inline void read(const std::uint64_t* table, const Pack<double>::Indices& at, Pa
 inline void read(const double* table, const Pack<double>::Indices& at, Pack<double>::type& first,
                  Pack<double>::type& second, Pack<double>::type& third)
 {
-  constexpr unsigned char three = 7;
+  // As in all of this, what takes a mask: without one, GCC 12 warns of its own undefined values.
+  constexpr unsigned char all = 0xff, three = 7;
   alignas(sizeof(at)) long long place[8];
   std::memcpy(place, &at, sizeof(at));
   const auto rows = [&](int i) { // i and i + 4
-    return _mm512_insertf64x4(_mm512_castpd256_pd512(_mm256_maskz_loadu_pd(three, table + place[i])),
-                              _mm256_maskz_loadu_pd(three, table + place[i + 4]), 1);
+    return _mm512_maskz_insertf64x4(all, _mm512_castpd256_pd512(_mm256_maskz_loadu_pd(three, table + place[i])),
+                                    _mm256_maskz_loadu_pd(three, table + place[i + 4]), 1);
   };
   const __m512d a = rows(0), b = rows(1), c = rows(2), d = rows(3);
-  const __m512d ab = _mm512_unpacklo_pd(a, b), cd = _mm512_unpacklo_pd(c, d); // the first and the third of each
+  const __m512d ab = _mm512_maskz_unpacklo_pd(all, a, b), cd = _mm512_maskz_unpacklo_pd(all, c, d); // firsts and thirds
+  const __m512d ab_second = _mm512_maskz_unpackhi_pd(all, a, b), cd_second = _mm512_maskz_unpackhi_pd(all, c, d);
   const __m512i firsts = _mm512_setr_epi64(0, 1, 8, 9, 4, 5, 12, 13);
   const __m512i thirds = _mm512_setr_epi64(2, 3, 10, 11, 6, 7, 14, 15);
   first = (Pack<double>::type)_mm512_permutex2var_pd(ab, firsts, cd);
-  second = (Pack<double>::type)_mm512_permutex2var_pd(_mm512_unpackhi_pd(a, b), firsts, _mm512_unpackhi_pd(c, d));
+  second = (Pack<double>::type)_mm512_permutex2var_pd(ab_second, firsts, cd_second);
   third = (Pack<double>::type)_mm512_permutex2var_pd(ab, thirds, cd);
 }
 
