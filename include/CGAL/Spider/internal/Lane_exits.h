@@ -33,11 +33,10 @@ struct Lane_exits
   /// its rim offers, as `first_exit()` does, where there is one and no doubt of it.
   Lane_exits(const View& view, const Site<View>& site, const Star<View>& star, const Values& cosines,
              const Values& sines)
-    : cosine(cosines), sine(sines), shift(star.local.rounding()), edge(site.rim.front())
+    : cosine(cosines), sine(sines), shift(star.local.rounding()), edge(site.rim.front()), source(query_point()),
+      target(query_point()), source_side(1), target_side(0)
   {
-    const Mask all = Values(1) > Values(0);
-    Mask offered = !all, doubtful = !all;
-    lead_to_query_point(all);
+    Mask offered = Values(0) > Values(1), doubtful = offered;
     for(const Star_edge<View>& e : star.edges)
     {
       const Values sx(e.source.x()), sy(e.source.y()), tx(e.target.x()), ty(e.target.y());
@@ -134,12 +133,13 @@ struct Lane_exits
   /// has limbs lead back to the query point.
   void lead_to_query_point(const Mask& which)
   {
-    const Lane_points<Scalar> query_point = {Values(0), Values(0), Values(0)};
-    replace_source(which, query_point, Values(1));
-    replace_target(which, query_point, Values(0));
+    replace_source(which, query_point(), Values(1));
+    replace_target(which, query_point(), Values(0));
   }
 
 private:
+  static Lane_points<Scalar> query_point() { return {Values(0), Values(0), Values(0)}; }
+
   /// A limb for which there is no edge has a source at no place.
   void find_alone(int l, const View& view, const Site<View>& site, const Local_coordinates<Scalar>& local)
   {
