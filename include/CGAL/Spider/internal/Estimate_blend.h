@@ -38,13 +38,6 @@ Eigen::Matrix<Scalar, 3, 3> directions_tensor(const Estimate<Scalar>& e)
   return e.max_direction * e.max_direction.transpose() - e.min_direction * e.min_direction.transpose();
 }
 
-/// returns a share that falls from 1, for values up to `from`, to 0, for values from `to` on; 0 for NaN.
-template <typename Scalar>
-Scalar falling(Scalar value, Scalar from, Scalar to)
-{
-  return value <= from ? Scalar(1) : value < to ? (to - value) / (to - from) : Scalar(0);
-}
-
 /// What is between several estimates of one point. Directions have no sign, and turn at once at an umbilic: so what is
 /// averaged, besides mean curvature, are the tensors in space that tell how curvature differs from it by direction.
 template <typename Scalar>

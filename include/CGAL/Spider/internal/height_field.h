@@ -23,6 +23,13 @@ constexpr int number_of_monomials(int degree)
   return (degree + 1) * (degree + 2) / 2;
 }
 
+/// The first and second derivatives of a height field at a point.
+template <typename Scalar>
+struct Derivatives
+{
+  Scalar x, y, xx, xy, yy;
+};
+
 /// The terms of a height field z(x, y), in this order:
 /// - the linear ones, 1, x and y;
 /// - the curved ones: the quadratic ones by how they turn with the angle, x^2 + y^2, x^2 - y^2 and 2xy, and the monomials
@@ -33,6 +40,7 @@ template <int Degree>
 struct Height_field_basis
 {
   static constexpr int linear = 3;
+  static constexpr int quadratic = number_of_monomials(2); ///< the number of terms up to these
   static constexpr int fitted = number_of_monomials(Degree);
   static constexpr int curved = fitted - linear;
   static constexpr int neglected = Degree < 4 ? 3 : 0;
@@ -66,15 +74,66 @@ struct Height_field_basis
     return terms;
   }
 
+  /// returns the mean square of the principal curvatures, given the coefficients of the quadratic terms.
+  template <typename Coefficients>
+  static auto squared_curvature(const Coefficients& c)
+  {
+    return 4 * (c[isotropic] * c[isotropic] + c[difference] * c[difference] + c[mixed] * c[mixed]);
+  }
+
   /// returns the square that lets expect the coefficients of neglected terms to have, given those of the quadratic ones: a
   /// surface with the principal curvatures' root mean square k that bends alike all around has terms of k^3 / 8, as the
   /// circle z = k x^2 / 2 + k^3 x^4 / 8 + ... does.
   template <typename Scalar>
   static Scalar expected_square(const std::array<Scalar, size>& c)
   {
-    const Scalar squared_curvature =
-      4 * (c[isotropic] * c[isotropic] + c[difference] * c[difference] + c[mixed] * c[mixed]);
-    return squared_curvature * squared_curvature * squared_curvature / 64;
+    const Scalar squared = squared_curvature(c);
+    return squared * squared * squared / 64;
+  }
+
+  /// returns the squares that let expect the coefficients of the monomials above the quadratic terms to have. Along a
+  /// line in any direction, cubic ones are of k^2 / 6, as if curvature changed by itself over its own radius, and
+  /// quartic ones are the circle's. Those of one degree vary with binomial coefficients, so that what is expected is the
+  /// same whichever way axes are turned.
+  template <typename Scalar>
+  static std::array<Scalar, fitted - quadratic> expected_squares_of_monomials(Scalar squared_curvature)
+  {
+    const Scalar cubic = squared_curvature * squared_curvature / 36, quartic = squared_curvature * cubic * 36 / 64;
+    std::array<Scalar, fitted - quadratic> squares;
+    for(int degree = 3, i = 0; degree <= Degree; ++degree)
+    {
+      Scalar binomial = 1;
+      for(int q = 0; q <= degree; ++q)
+      {
+        squares[i++] = binomial * (degree == 3 ? cubic : quartic);
+        binomial *= Scalar(degree - q) / Scalar(q + 1);
+      }
+    }
+    return squares;
+  }
+
+  /// returns the derivatives at a point, given the coefficients of the fitted terms.
+  template <typename Scalar>
+  static Derivatives<Scalar> derivatives_at(const std::array<Scalar, size>& c, Scalar x, Scalar y)
+  {
+    const Scalar xx = 2 * (c[isotropic] + c[difference]), xy = 2 * c[mixed], yy = 2 * (c[isotropic] - c[difference]);
+    Derivatives<Scalar> d = {c[x_term] + xx * x + xy * y, c[y_term] + xy * x + yy * y, xx, xy, yy};
+    const auto power = [](Scalar base, int exponent) {
+      Scalar product = 1;
+      while(exponent-- > 0)
+        product *= base;
+      return product;
+    };
+    for(int degree = 3, i = quadratic; degree <= Degree; ++degree)
+      for(int q = 0, p = degree; q <= degree; ++q, --p, ++i)
+      {
+        d.x += c[i] * Scalar(p) * power(x, p - 1) * power(y, q);
+        d.y += c[i] * Scalar(q) * power(x, p) * power(y, q - 1);
+        d.xx += c[i] * Scalar(p * (p - 1)) * power(x, p - 2) * power(y, q);
+        d.xy += c[i] * Scalar(p * q) * power(x, p - 1) * power(y, q - 1);
+        d.yy += c[i] * Scalar(q * (q - 1)) * power(x, p) * power(y, q - 2);
+      }
+    return d;
   }
 
   /// returns the factor by which a linear or neglected term depends on the direction with the given cosine and sine; the
@@ -93,16 +152,50 @@ struct Height_field_basis
   }
 };
 
-/// returns the principal curvatures and directions of the graph of a height field at the origin, given its first and
-/// second derivatives there: from its fundamental forms in an orthonormal basis of its tangent plane.
+/// What a fit tells of the surface at the query point, in units of a length.
 template <typename Scalar>
-Spider_fit<Scalar> principal_curvatures_of_graph(Scalar zx, Scalar zy, Scalar zxx, Scalar zxy, Scalar zyy)
+struct Local_field
+{
+  bool determined = false;
+  bool is_whole = true; ///< no term had to be left out
+  Derivatives<Scalar> derivatives;
+  Scalar residual, standard_error, independent_values; ///< as in `Spider_fit`
+
+  /// returns the same in units of a length, given this unit as a share of that.
+  Local_field in_units_of(Scalar share) const
+  {
+    Local_field field = *this;
+    for(Scalar* curvature : {&field.derivatives.xx, &field.derivatives.xy, &field.derivatives.yy, &field.standard_error})
+      *curvature /= share;
+    field.residual *= share;
+    return field;
+  }
+
+  /// returns what is between this and another, in the same units, of which it has the given share. What isn't a number
+  /// that both have is this one's.
+  Local_field towards(const Local_field& other, Scalar share) const
+  {
+    const auto between = [=](Scalar from, Scalar to) { return from + share * (to - from); };
+    const Derivatives<Scalar>&a = derivatives, &b = other.derivatives;
+    Local_field field = *this;
+    field.derivatives = {between(a.x, b.x), between(a.y, b.y), between(a.xx, b.xx), between(a.xy, b.xy),
+                         between(a.yy, b.yy)};
+    field.residual = between(residual, other.residual);
+    field.standard_error = between(standard_error, other.standard_error);
+    return field;
+  }
+};
+
+/// returns the principal curvatures and directions of the graph of a height field at the origin, given its
+/// derivatives there: from its fundamental forms in an orthonormal basis of its tangent plane.
+template <typename Scalar>
+Spider_fit<Scalar> principal_curvatures_of_graph(const Derivatives<Scalar>& z)
 {
   Spider_fit<Scalar> fit;
-  fit.normal = Vec3<Scalar>(-zx, -zy, 1).normalized();
-  const Vec3<Scalar> u = Vec3<Scalar>(1, 0, zx).normalized(), v = fit.normal.cross(u);
+  fit.normal = Vec3<Scalar>(-z.x, -z.y, 1).normalized();
+  const Vec3<Scalar> u = Vec3<Scalar>(1, 0, z.x).normalized(), v = fit.normal.cross(u);
   const auto second_form = [&](const Vec3<Scalar>& a, const Vec3<Scalar>& b) { // positive away from the normal
-    return -(a.x() * (zxx * b.x() + zxy * b.y()) + a.y() * (zxy * b.x() + zyy * b.y())) * fit.normal.z();
+    return -(a.x() * (z.xx * b.x() + z.xy * b.y()) + a.y() * (z.xy * b.x() + z.yy * b.y())) * fit.normal.z();
   };
   const Scalar uu = second_form(u, u), uv = second_form(u, v), vv = second_form(v, v);
   const Scalar mean = (uu + vv) / 2, difference = (uu - vv) / 2, deviation = std::hypot(difference, uv);

@@ -182,11 +182,12 @@ public:
     return result;
   }
 
-  /// returns the variance of the coefficient of `term` in `coefficients(share)` if that of noise is 1.
-  Scalar variance(int term, Scalar share) const
+  /// returns the variance of a linear function of `coefficients(share)` if that of noise is 1.
+  Scalar variance(const Row& function, Scalar share) const
   {
-    Row part{};
-    part[term] = scale_[term];
+    Row part;
+    for(int i = 0; i < Size; ++i)
+      part[i] = scale_[i] * function[i];
     cholesky_.substitute_forward(part);
     Scalar sum = 0;
     for(int i = 0; i < Size; ++i)
@@ -238,7 +239,9 @@ Least_squares_fit<Scalar, Size> solve(const Normal_equations<Scalar, Size>& equa
     fit.share_of_neglected = share;
     unexplained -= share * (2 - share) * explained_by_neglected;
   }
-  fit.standard_error = std::sqrt(noise * terms.variance(Term, fit.share_of_neglected));
+  std::array<Scalar, Size> term{};
+  term[Term] = 1;
+  fit.standard_error = std::sqrt(noise * terms.variance(term, fit.share_of_neglected));
   for(int i = 0; i < Size; ++i)
     fit.determined[i] = terms.has(i) && std::isfinite(fit.coefficients[i]);
   fit.residual = std::sqrt(std::max(unexplained, Scalar(0)) / equations.matrix[0][0]);

@@ -94,6 +94,13 @@ Scalar angle_between(const Vec3<Scalar>& a, const Vec3<Scalar>& b)
   return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
+/// returns a share that falls from 1, for values up to `from`, to 0, for values from `to` on; 0 for NaN.
+template <typename Scalar>
+Scalar falling(Scalar value, Scalar from, Scalar to)
+{
+  return value <= from ? Scalar(1) : value < to ? (to - value) / (to - from) : Scalar(0);
+}
+
 } // namespace internal
 } // namespace Spider
 } // namespace CGAL

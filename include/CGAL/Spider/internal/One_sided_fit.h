@@ -1,0 +1,136 @@
+// Copyright (c) 2026 The Spider developers.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// What `surface_fit` does where the surface ends on one side, at borders and feature edges.
+//
+// - A spider there sees half a disc, and from the tip of a ragged border less than that. So another one is grown from
+//   where the surface around the query point has its middle, and what it finds is told for the query point.
+// - On part of a disc all terms of a height field disturb each other, not only those that turn alike with the angle. So all
+//   up to the fourth degree are fitted, and those above the quadratic ones are expected to be as large as curvature lets
+//   expect: without noise that is the whole quartic fit, and with much noise the quadric.
+
+#ifndef CGAL_SPIDER_INTERNAL_ONE_SIDED_FIT_H
+#define CGAL_SPIDER_INTERNAL_ONE_SIDED_FIT_H
+
+#include <CGAL/Spider/internal/Expected_terms.h>
+#include <CGAL/Spider/internal/Options.h>
+#include <CGAL/Spider/internal/Reached_area.h>
+#include <CGAL/Spider/internal/Sampled_spider.h>
+#include <CGAL/Spider/internal/Site_ahead.h>
+#include <CGAL/Spider/internal/height_field.h>
+#include <CGAL/Spider/internal/least_squares.h>
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace CGAL {
+namespace Spider {
+namespace internal {
+
+template <typename View>
+class One_sided_fit
+{
+  using Scalar = typename View::Scalar;
+  static constexpr int degree = 4;
+  using Basis = Height_field_basis<degree>;
+  using Row = std::array<Scalar, Basis::size>;
+  using Terms = Expected_terms<Basis::quadratic, Scalar, Basis::size>;
+
+public:
+  /// returns which share a one-sided fit gets of the answer where that much is cut off of a spider: nothing where nothing
+  /// is, and all from a twentieth on, which a straight border cuts off at 0.7 radii from the query point. Up to there the
+  /// cubic terms of a smooth surface do more than noise that is less than a hundredth of an edge.
+  static Scalar share(Scalar cut_off)
+  {
+    constexpr Scalar clearly_cut = Scalar(0.05);
+    return 1 - falling(cut_off, Scalar(0), clearly_cut);
+  }
+
+  /// returns what there is at the site in the units of the radius, given what a spider there reached; undetermined where
+  /// it isn't better known than by that spider.
+  Local_field<Scalar> operator()(const View& view, const Site<View>& site, const Spider_frame<Scalar>& frame,
+                                 Scalar radius, const Reached_area<Scalar>& area, const Options<Scalar>& options)
+  {
+    radius_.assign(1, radius);
+    const Site<View> inside = grow_inside(view, site, frame, area, options);
+    if(!(spider_.extent(0).reached > 0))
+      return {};
+    spider_.samples(0).add_rim(1);
+    const Vec3<Scalar> query = Local_coordinates<Scalar>(inside.point, frame, radius)(site.point);
+    return fit_at(query.x(), query.y());
+  }
+
+private:
+  /// grows a spider in the middle of the area that the one at the site reached, and returns where that is. If that
+  /// spider in turn sees little, since limbs lead out of a tip by a narrow way only, it goes on from there.
+  Site<View> grow_inside(const View& view, const Site<View>& site, const Spider_frame<Scalar>& frame,
+                         Reached_area<Scalar> area, const Options<Scalar>& options)
+  {
+    constexpr int most_steps = 4;
+    constexpr Scalar fair = Scalar(0.5), little = Scalar(0.75); // of the limbs' length is cut off
+    Site<View> inside = site;
+    Scalar share_of_step = 1;
+    for(int i = 0; i < most_steps && share_of_step > 0; ++i)
+    {
+      const auto step = area.centroid();
+      const Scalar length = step.norm(), distance = share_of_step * length * radius_.front();
+      constexpr Scalar least_length = Scalar(1e-6); // below, the direction is that of rounding
+      if(length > least_length && distance > 0)
+        inside = site_ahead(view, inside, frame, step.x() / length, step.y() / length, distance);
+      spider_.grow(view, inside, frame, radius_, options);
+      area = spider_.area(0);
+      share_of_step = 1 - falling(area.cut_off(), fair, little);
+    }
+    return inside;
+  }
+
+  /// fits all terms, and returns what they are at a point.
+  Local_field<Scalar> fit_at(Scalar x, Scalar y) const
+  {
+    const auto equations = spider_.equations(0);
+    const Orthonormal_terms<Basis::quadratic, Scalar, Basis::size> plain(equations);
+    for(int i = 0; i < Basis::quadratic; ++i)
+      if(!plain.has(i))
+        return {};
+    const auto expected = Basis::expected_squares_of_monomials(Basis::squared_curvature(plain.coefficients(0)));
+    if(!(expected.back() > 0)) // flat, and small enough for its powers to vanish
+      return {};
+    const Scalar independent_values = spider_.independent_values(0, equations);
+    const Scalar noise = noise_beside_expected_terms<Basis::quadratic>(equations, expected, independent_values);
+    const Terms terms(equations, expected, noise);
+
+    Local_field<Scalar> field;
+    field.derivatives = Basis::derivatives_at(terms.coefficients(), x, y);
+    field.residual = std::sqrt(terms.misfit(expected) / equations.matrix[Basis::constant][Basis::constant]);
+    field.standard_error = terms.standard_error(mean_of_second_derivatives(x, y));
+    field.independent_values = independent_values;
+    field.determined = std::isfinite(field.derivatives.xx + field.derivatives.xy + field.derivatives.yy) &&
+                       std::isfinite(field.standard_error);
+    return field;
+  }
+
+  /// returns what each term adds to the mean of the second derivatives by x and by y at a point.
+  static Row mean_of_second_derivatives(Scalar x, Scalar y)
+  {
+    Row means;
+    for(int i = 0; i < Basis::size; ++i)
+    {
+      Row term{};
+      term[i] = 1;
+      const Derivatives<Scalar> d = Basis::derivatives_at(term, x, y);
+      means[i] = (d.xx + d.yy) / 2;
+    }
+    return means;
+  }
+
+  std::vector<Scalar> radius_; ///< one
+  Sampled_spider<View, degree> spider_;
+};
+
+} // namespace internal
+} // namespace Spider
+} // namespace CGAL
+
+#endif // CGAL_SPIDER_INTERNAL_ONE_SIDED_FIT_H
