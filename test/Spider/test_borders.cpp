@@ -9,6 +9,9 @@
 
 #include <CGAL/Spider/estimate_curvature.h>
 
+#include <functional>
+#include <random>
+
 using namespace estimation;
 
 namespace {
@@ -43,15 +46,109 @@ double coverage_beside_hole(double distance, double hole_radius)
   return 1 - lost / (2 * meshes::pi);
 }
 
+/// returns a mesh without the faces whose centroid is where `is_cut_away(centroid)`. It keeps all vertices.
+template <typename Where>
+Mesh cut(const Mesh& mesh, Where&& is_cut_away)
+{
+  Soup soup = soup_of(mesh);
+  const auto is_gone = [&](const meshes::Triangle& t) {
+    return is_cut_away(Vector((soup.points[t[0]] + soup.points[t[1]] + soup.points[t[2]]) / 3));
+  };
+  soup.triangles.erase(std::remove_if(soup.triangles.begin(), soup.triangles.end(), is_gone), soup.triangles.end());
+  return meshes::from_soup<Mesh>(soup.points, soup.triangles);
+}
+
 /// returns a mesh without the faces whose centroid is within a distance of a point.
 Mesh punched(const Mesh& mesh, const Vector& centre, double hole_radius)
 {
-  Soup soup = soup_of(mesh);
-  const auto is_in_hole = [&](const meshes::Triangle& t) {
-    return ((soup.points[t[0]] + soup.points[t[1]] + soup.points[t[2]]) / 3 - centre).norm() < hole_radius;
-  };
-  soup.triangles.erase(std::remove_if(soup.triangles.begin(), soup.triangles.end(), is_in_hole), soup.triangles.end());
-  return meshes::from_soup<Mesh>(soup.points, soup.triangles);
+  return cut(mesh, [&](const Vector& p) { return (p - centre).norm() < hole_radius; });
+}
+
+/// A surface whose mean curvature and upward or outward normal are known, and a mesh of it with a ragged border.
+struct Cut_surface
+{
+  std::string name;
+  Mesh mesh;
+  std::function<double(const Vector&)> mean_curvature;
+  std::function<Vector(const Vector&)> normal;
+  double rms_curvature;
+};
+
+/// returns a sphere and a saddle, regular and irregular, cut by a plane through the midst of faces.
+std::vector<Cut_surface> cut_surfaces()
+{
+  std::vector<Cut_surface> surfaces;
+  const Vector across = Vector(0.8, 0.3, 0.5).normalized();
+  const auto is_cut_away = [=](const Vector& p) { return p.dot(across) < -0.1; };
+  for(double irregularity : {0., 0.3}) // of an edge
+  {
+    const std::string kind = irregularity > 0 ? "irregular " : "regular ";
+    const Mesh sphere = meshes::icosphere<Mesh>(4);
+    const double edge = meshes::mean_edge_length(sphere);
+    surfaces.push_back({kind + "sphere",
+                        cut(meshes::moved(meshes::jittered(sphere, irregularity * edge, 1),
+                                          [](const Vector& p) { return Vector(p.normalized()); }),
+                            is_cut_away),
+                        [](const Vector&) { return 1.; }, [](const Vector& p) { return Vector(p.normalized()); }, 1});
+    const double spacing = 0.05;
+    const Mesh saddle = meshes::saddle<Mesh>(n, spacing, 1, -1, meshes::alternating);
+    const auto onto_saddle = [](const Vector& p) { return Vector(p.x(), p.y(), (p.x() * p.x() - p.y() * p.y()) / 2); };
+    surfaces.push_back(
+      {kind + "saddle",
+       cut(meshes::moved(meshes::jittered(saddle, irregularity * spacing, 1), onto_saddle), is_cut_away),
+       [](const Vector& p) {
+         const double xx = p.x() * p.x(), yy = p.y() * p.y();
+         return (xx - yy) / (2 * std::pow(1 + xx + yy, 1.5));
+       },
+       [](const Vector& p) { return Vector(Vector(-p.x(), p.y(), 1).normalized()); }, 0.7});
+  }
+  return surfaces;
+}
+
+/// Mean errors of mean curvature, in units of the RMS curvature.
+struct Border_errors
+{
+  double at_border = 0, inside = 0, worst = 0;
+};
+
+/// compares vertices on the border with those that are farther from it than the radius, four edges, with noise along
+/// the normals that is uniform and `noise` edges wide.
+Border_errors border_errors(const Cut_surface& surface, double noise, unsigned seed)
+{
+  const double edge = meshes::mean_edge_length(surface.mesh), radius = 4 * edge;
+  std::mt19937 random(seed);
+  const Mesh noisy = meshes::moved(surface.mesh, [&](const Vector& p) {
+    return Vector(p + noise * edge * (random() / 4294967295. - 0.5) * surface.normal(p));
+  });
+  std::vector<Vector> border;
+  for(Vertex v : surface.mesh.vertices())
+    if(surface.mesh.is_border(v) && !surface.mesh.is_isolated(v))
+      border.push_back(meshes::point(surface.mesh, v));
+  const std::vector<Estimate> answers = estimates(noisy, params::geodesic_radius(radius));
+
+  Border_errors errors;
+  int at_border = 0, inside = 0;
+  for(Vertex v : surface.mesh.vertices())
+  {
+    const Vector p = meshes::point(surface.mesh, v);
+    const double error = std::abs(answers[v].mean_curvature() - surface.mean_curvature(p)) / surface.rms_curvature;
+    if(std::isnan(error)) // at the tips of single faces, and without any
+      continue;
+    errors.worst = std::max(errors.worst, error);
+    if(surface.mesh.is_border(v))
+    {
+      errors.at_border += error;
+      ++at_border;
+    }
+    else if(std::none_of(border.begin(), border.end(), [&](const Vector& b) { return (p - b).norm() < radius; }))
+    {
+      errors.inside += error;
+      ++inside;
+    }
+  }
+  errors.at_border /= at_border;
+  errors.inside /= inside;
+  return errors;
 }
 
 double root_mean_square(const std::vector<double>& values)
@@ -173,6 +270,28 @@ TEST(borders, the_curvature_of_a_cylinder_is_found_up_to_its_rim)
       EXPECT_LE(angle(vector(e.normal), Vector(1, 0, 0)), to_rim < 2 ? 0.125 : 0.03);
     }
   });
+}
+
+TEST(borders, mean_curvature_is_known_at_a_ragged_border_nearly_as_well_as_inside)
+{
+  for(const Cut_surface& surface : cut_surfaces())
+  {
+    SCOPED_TRACE(surface.name);
+    // Measured: 0.57 to 1.0 times the error inside. A quadric that is fitted to what limbs reach from the border: 3
+    // to 22.
+    const Border_errors exact = border_errors(surface, 0, 1);
+    EXPECT_LE(exact.at_border, 2 * exact.inside) << exact.inside;
+    // Measured: 1.3 to 1.7 times; the quadric: 3.5 to 4.2.
+    double at_border = 0, inside = 0;
+    for(unsigned seed = 1; seed <= 4; ++seed)
+    {
+      const Border_errors noisy = border_errors(surface, 0.25, seed);
+      at_border += noisy.at_border;
+      inside += noisy.inside;
+      EXPECT_LE(noisy.worst, 0.5); // measured: 0.17 to 0.34; the quadric: 0.6 to 1.7
+    }
+    EXPECT_LE(at_border, 2.5 * inside) << inside;
+  }
 }
 
 TEST(borders, every_vertex_of_a_noisy_patch_gets_a_sound_answer)

@@ -112,6 +112,26 @@ TEST(geodesic_radii, each_is_as_good_as_alone)
   }
 }
 
+// Each radius by which a spider meets a border has another one grown further inside, as that radius alone has.
+TEST(geodesic_radii, each_is_as_alone_at_borders)
+{
+  constexpr int n = 12;
+  const double spacing = 0.1;
+  const Mesh mesh = meshes::saddle<Mesh>(n, spacing, 1, -0.5, meshes::alternating);
+  const std::vector<double> radii = {3 * spacing, 4 * spacing, 6 * spacing};
+  for(int i = -n; i <= n; i += 4)
+  {
+    const Vertex at_border(static_cast<Mesh::size_type>((2 * n + 1) * (i + n)));
+    const Estimates together = Spider::estimate_curvature(at_border, mesh, params::geodesic_radii(radii));
+    for(std::size_t k = 0; k < radii.size(); ++k)
+    {
+      const Estimate alone = Spider::estimate_curvature(at_border, mesh, params::geodesic_radius(radii[k]));
+      EXPECT_NEAR(together[k].mean_curvature(), alone.mean_curvature(), 1e-3); // measured: 2.4e-4
+      EXPECT_NEAR(together[k].max_curvature, alone.max_curvature, 1e-3);       // measured: 5e-4
+    }
+  }
+}
+
 TEST(geodesic_radii, each_has_its_own_coverage_and_status)
 {
   const Mesh mesh = meshes::plane<Mesh>(10, 0.1); // from -1 to 1

@@ -7,6 +7,7 @@
 
 #include "estimation.h"
 
+#include <CGAL/Spider/internal/Expected_terms.h>
 #include <CGAL/Spider/internal/Limb_bundle.h>
 #include <CGAL/Spider/internal/Limb_moments.h>
 #include <CGAL/Spider/internal/spatial_order.h>
@@ -291,6 +292,71 @@ TEST(least_squares, takes_back_what_neglected_terms_do_by_the_share_that_is_effe
       EXPECT_NEAR(fit.plain[i], plain[i], 1e-11);
       EXPECT_NEAR(fit.coefficients[i], plain[i] + share * (full[i] - plain[i]), 1e-9);
     }
+  }
+}
+
+TEST(expected_terms, are_damped_as_rows_would_that_say_what_is_expected)
+{
+  constexpr int size = 4, free = 2, rows = 20;
+  std::mt19937 random(11);
+  const auto uniform = [&] { return random() / 4294967296. - 0.5; };
+  Eigen::MatrixXd system(rows, size);
+  Eigen::VectorXd values(rows);
+  for(int i = 0; i < rows; ++i)
+  {
+    const double x = uniform();
+    system.row(i) << 1, x, x * x, x * x * x;
+    values[i] = 1 + x + 2 * x * x - x * x * x + 0.2 * uniform();
+  }
+  const auto equations = normal_equations_of<size>(system, values);
+  const std::array<double, size - free> expected = {3, 0.5};
+  const double noise = 0.01;
+  const internal::Expected_terms<free, double, size> terms(equations, expected, noise);
+
+  // A row per term says that its coefficient is zero, as surely as noise compares with what is expected.
+  Eigen::MatrixXd with_rows = Eigen::MatrixXd::Zero(rows + size - free, size);
+  with_rows.topRows(rows) = system;
+  for(int i = free; i < size; ++i)
+    with_rows(rows + i - free, i) = std::sqrt(noise / expected[i - free]);
+  Eigen::VectorXd with_zeros = Eigen::VectorXd::Zero(with_rows.rows());
+  with_zeros.head(rows) = values;
+  const Eigen::VectorXd coefficients = with_rows.colPivHouseholderQr().solve(with_zeros);
+  for(int i = 0; i < size; ++i)
+    EXPECT_NEAR(terms.coefficients()[i], coefficients[i], 1e-10);
+  EXPECT_NEAR(terms.misfit(expected), (system * coefficients - values).squaredNorm(), 1e-10);
+  EXPECT_NEAR(terms.unexplained(), (with_rows * coefficients - with_zeros).squaredNorm(), 1e-10);
+  const Eigen::Vector4d function(1, 2, 3, 4);
+  EXPECT_NEAR(terms.standard_error({1, 2, 3, 4}),
+              std::sqrt(noise * function.dot((with_rows.transpose() * with_rows).inverse() * function)), 1e-10);
+}
+
+TEST(expected_terms, leave_the_noise)
+{
+  constexpr int size = 6, free = 3, rows = 60;
+  constexpr int draws = 400;
+  std::mt19937 random(13);
+  const auto uniform = [&] { return random() / 4294967296. - 0.5; };
+  for(double amplitude : {0., 0.01, 1.}) // of noise, with curvature and all higher terms of order 1
+  {
+    SCOPED_TRACE(amplitude);
+    double sum = 0;
+    for(int draw = 0; draw < draws; ++draw)
+    {
+      Eigen::MatrixXd system(rows, size);
+      Eigen::VectorXd coefficients(size), values(rows);
+      for(int i = 0; i < size; ++i)
+        coefficients[i] = std::sqrt(12.) * uniform();
+      for(int i = 0; i < rows; ++i)
+      {
+        const double x = 2 * uniform();
+        system.row(i) << 1, x, x * x, x * x * x, x * x * x * x, x * x * x * x * x;
+        values[i] = system.row(i) * coefficients + amplitude * std::sqrt(12.) * uniform();
+      }
+      sum += internal::noise_beside_expected_terms<free, double, size>(normal_equations_of<size>(system, values),
+                                                                       {1, 1, 1}, rows);
+    }
+    const double mean = sum / draws;
+    EXPECT_NEAR(mean, amplitude * amplitude, 0.1 * amplitude * amplitude + 1e-6) << mean; // measured: 4 % less
   }
 }
 

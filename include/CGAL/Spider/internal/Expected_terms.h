@@ -20,8 +20,8 @@ namespace internal {
 
 /// The best linear predictor of a model's coefficients, given the variance of noise: the first `Free` terms may be as
 /// they like, those of the others are zero on average and their squares are as expected. The noise by what is expected
-/// joins the diagonal of the normal equations. So a term that the rows tell well is fitted, and one that they don't tell
-/// better than noise does stays near zero.
+/// joins the diagonal of the normal equations. So a term that the rows tell well is fitted, and one that they don't
+/// tell better than noise does stays near zero.
 template <int Free, typename Scalar, int Size>
 class Expected_terms
 {
@@ -76,13 +76,13 @@ private:
 /// beyond the free terms; so the variance is sought that fits, from above. Where values are fewer than terms, more than
 /// is expected of these can't but be noise.
 template <int Free, typename Scalar, int Size>
-Scalar noise_beside_expected_terms(const Normal_equations<Scalar, Size>& equations, std::array<Scalar, Size - Free> expected,
-                                   Scalar independent_values)
+Scalar noise_beside_expected_terms(const Normal_equations<Scalar, Size>& equations,
+                                   std::array<Scalar, Size - Free> expected, Scalar independent_values)
 {
   // Terms larger than expected mustn't pass for noise, which would damp them: ten times as large ones are taken for
   // likely here. Under noise that changes nothing; without, it halves the error.
   constexpr Scalar generosity = 100; // of squares
-  constexpr int rounds = 3; // under noise one tells as much; without noise each lowers what is left of it
+  constexpr int rounds = 3;          // under noise one tells as much; without noise each lowers what is left of it
   for(Scalar& square : expected)
     square *= generosity;
   const Scalar count = std::max(independent_values - Free, Scalar(1));

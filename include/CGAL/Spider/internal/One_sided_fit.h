@@ -6,9 +6,9 @@
 //
 // - A spider there sees half a disc, and from the tip of a ragged border less than that. So another one is grown from
 //   where the surface around the query point has its middle, and what it finds is told for the query point.
-// - On part of a disc all terms of a height field disturb each other, not only those that turn alike with the angle. So all
-//   up to the fourth degree are fitted, and those above the quadratic ones are expected to be as large as curvature lets
-//   expect: without noise that is the whole quartic fit, and with much noise the quadric.
+// - On part of a disc all terms of a height field disturb each other, not only those that turn alike with the angle. So
+//   all up to the fourth degree are fitted, and those above the quadratic ones are expected to be as large as curvature
+//   lets expect: without noise that is the whole quartic fit, and with much noise the quadric.
 
 #ifndef CGAL_SPIDER_INTERNAL_ONE_SIDED_FIT_H
 #define CGAL_SPIDER_INTERNAL_ONE_SIDED_FIT_H
@@ -39,17 +39,18 @@ class One_sided_fit
   using Terms = Expected_terms<Basis::quadratic, Scalar, Basis::size>;
 
 public:
-  /// returns which share a one-sided fit gets of the answer where that much is cut off of a spider: nothing where nothing
-  /// is, and all from a twentieth on, which a straight border cuts off at 0.7 radii from the query point. Up to there the
-  /// cubic terms of a smooth surface do more than noise that is less than a hundredth of an edge.
+  /// returns which share a one-sided fit gets of the answer where that much is cut off of a spider: nothing where
+  /// nothing is, and all from a twentieth on, which a straight border cuts off that is 0.7 radii away. Measured: were
+  /// it from a fifth on, half a radius from a border there would be three times the error without noise, and 7 % less
+  /// with.
   static Scalar share(Scalar cut_off)
   {
     constexpr Scalar clearly_cut = Scalar(0.05);
     return 1 - falling(cut_off, Scalar(0), clearly_cut);
   }
 
-  /// returns what there is at the site in the units of the radius, given what a spider there reached; undetermined where
-  /// it isn't better known than by that spider.
+  /// returns what there is at the site in the units of the radius, given what a spider there reached; undetermined
+  /// where it isn't better known than by that spider.
   Local_field<Scalar> operator()(const View& view, const Site<View>& site, const Spider_frame<Scalar>& frame,
                                  Scalar radius, const Reached_area<Scalar>& area, const Options<Scalar>& options)
   {

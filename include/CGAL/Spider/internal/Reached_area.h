@@ -14,8 +14,8 @@ namespace CGAL {
 namespace Spider {
 namespace internal {
 
-/// The area that a spider's limbs reached, limb by limb, in units of the radius: how much of it borders and feature edges
-/// cut off, and to which side of the query point the rest lies.
+/// The area that a spider's limbs reached, limb by limb, in units of the radius: how much of it borders and feature
+/// edges cut off, and to which side of the query point the rest lies.
 template <typename Scalar>
 class Reached_area
 {

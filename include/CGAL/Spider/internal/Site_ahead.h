@@ -13,25 +13,33 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace CGAL {
 namespace Spider {
 namespace internal {
 
-/// returns the site at a point of a face, given one of the face's edges.
+/// returns the site at a point of a face, given one of the face's edges. Areas are in units of the square of
+/// `unit_length`.
 template <typename View>
-Site<View> site_at_point(const View& view, typename View::Halfedge edge, const Vec3<typename View::Scalar>& point)
+Site<View> site_at_point(const View& view, typename View::Halfedge edge, const Vec3<typename View::Scalar>& point,
+                         typename View::Scalar unit_length)
 {
   using Scalar = typename View::Scalar;
   const auto face = view.face(edge);
   const typename View::Halfedge first = view.halfedge(face);
   const auto [second, third] = view.other_edges(first);
-  const Vec3<Scalar> a = view.point(view.source(first)) - point, b = view.point(view.source(second)) - point,
-                     c = view.point(view.source(third)) - point, normal = (b - a).cross(c - a);
-  const auto part = [&](const Vec3<Scalar>& u, const Vec3<Scalar>& v) { return std::max(u.cross(v).dot(normal), Scalar(0)); };
+  const auto from_point = [&](typename View::Halfedge h) -> Vec3<Scalar> {
+    return (view.point(view.source(h)) - point) / unit_length;
+  };
+  const Vec3<Scalar> a = from_point(first), b = from_point(second), c = from_point(third);
+  const Vec3<Scalar> normal = (b - a).cross(c - a);
+  const auto part = [&](const Vec3<Scalar>& u, const Vec3<Scalar>& v) {
+    return std::max(u.cross(v).dot(normal), Scalar(0));
+  };
   std::array<Scalar, 3> weights = {part(b, c), part(c, a), part(a, b)};
   const Scalar sum = weights[0] + weights[1] + weights[2];
-  if(!(sum > 0)) // a face without area: one of its corners is as near as any other point
+  if(!(sum > 0) || !std::isfinite(sum)) // a face without area: one of its corners is as near as any other point
     weights = {1, 0, 0};
   else
     for(Scalar& weight : weights)
@@ -66,7 +74,8 @@ Way_end<View> walk_ahead(const View& view, const Site<View>& site, const Spider_
   if(edge == View::null_halfedge())
     return {site, 0};
   const Vec3<Scalar> direction = cosine * frame.tangent + sine * frame.bitangent;
-  return {site_at_point(view, edge, site.point + distance * (y * direction + z * frame.normal)), walk.reached};
+  return {site_at_point(view, edge, site.point + distance * (y * direction + z * frame.normal), distance),
+          walk.reached};
 }
 
 /// returns the site at a distance straight ahead. Where the surface ends before twice that, it is half-way to its end:

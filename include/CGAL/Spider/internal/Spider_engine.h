@@ -131,7 +131,8 @@ private:
     for(std::size_t k = 0; k < radii.size(); ++k)
     {
       const Spider_extent<Scalar>& extent = fit_.extent(k);
-      const Spider_fit<Scalar> fit = extent.is_walled_in() ? Spider_fit<Scalar>() : fit_.fit(view_, site, frame, radii[k], k);
+      const Spider_fit<Scalar> fit =
+        extent.is_walled_in() ? Spider_fit<Scalar>() : fit_.fit(view_, site, frame, radii[k], k);
       if(fit.determined)
         take(fit, extent, frame, radii.back(), estimates[k]);
     }
