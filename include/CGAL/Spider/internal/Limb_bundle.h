@@ -67,20 +67,26 @@ public:
   void walk(const Shares& shares, Visitor&& visit, Arrival&& arrive)
   {
     std::array<std::size_t, number_of_lanes> next{};
-    share_of_radius_ = Values(shares[0]);
-    limit_.set_radius(share_of_radius_);
+    set_share_of_radius(Values(shares[0]));
     while(growing_.any())
     {
-      const Across across = at_.look_across(view_, local_);
-      visit(take_segments());
-      cross_edges(across);
-      circles_.note_step(at_.edge);
+      step(visit);
       if(shares.size() > 1 && resting_.any())
         send_on(shares, next, arrive);
     }
     for(int l = 0; l < number_of_lanes; ++l)
       for(; next[l] < shares.size(); ++next[l])
         arrive(l, next[l]);
+  }
+
+  /// walks each limb to its own share of the radius, or to its end, and calls `visit(segments)` for every step in
+  /// lockstep.
+  template <typename Visitor>
+  void walk_each(const Values& shares, Visitor&& visit)
+  {
+    set_share_of_radius(shares);
+    while(growing_.any())
+      step(visit);
   }
 
   Scalar reached(int lane) const { return reached_[lane]; }
@@ -91,6 +97,21 @@ public:
   const Values& end_along_normal() const { return z_; }
 
 private:
+  void set_share_of_radius(const Values& share)
+  {
+    share_of_radius_ = share;
+    limit_.set_radius(share);
+  }
+
+  template <typename Visitor>
+  void step(Visitor&& visit)
+  {
+    const Across across = at_.look_across(view_, local_);
+    visit(take_segments());
+    cross_edges(across);
+    circles_.note_step(at_.edge);
+  }
+
   Segments<Scalar> take_segments()
   {
     const Values zero(0), one(1);
@@ -220,7 +241,7 @@ private:
   Values y_, z_;                     ///< where the limb is, along its direction and the normal
   Values length_, height_, reached_; ///< how long it is, how far from the tangent plane it was, and how far it came
   Growth_limit<Values> limit_;
-  Values share_of_radius_{1}; ///< that is walked to
+  Values share_of_radius_; ///< that is walked to
   Mask growing_{}, closed_{};
   /// A limb rests after the step that led it as far as is walked, and is complete if it came that far.
   Mask resting_{}, complete_{};

@@ -5,7 +5,8 @@
 // What `surface_fit` does where the surface ends on one side, at borders and feature edges.
 //
 // - A spider there sees half a disc, and from the tip of a ragged border less than that. So another one is grown from
-//   where the surface around the query point has its middle, and what it finds is told for the query point.
+//   near the middle of what the first one saw, and what it finds is told for the query point. It doesn't see farther
+//   than the first one could: its limbs end where they are at the radius from the query point.
 // - On part of a disc all terms of a height field disturb each other, not only those that turn alike with the angle. So
 //   all up to the fourth degree are fitted, and those above the quadratic ones are expected to be as large as curvature
 //   lets expect: without noise that is the whole quartic fit, and with much noise the quadric.
@@ -54,37 +55,41 @@ public:
   Local_field<Scalar> operator()(const View& view, const Site<View>& site, const Spider_frame<Scalar>& frame,
                                  Scalar radius, const Reached_area<Scalar>& area, const Options<Scalar>& options)
   {
-    radius_.assign(1, radius);
-    const Site<View> inside = grow_inside(view, site, frame, area, options);
+    const Vec3<Scalar> query = grow_inside(view, site, frame, radius, area, options);
     if(!(spider_.extent(0).reached > 0))
       return {};
     spider_.samples(0).add_rim(1);
-    const Vec3<Scalar> query = Local_coordinates<Scalar>(inside.point, frame, radius)(site.point);
     return fit_at(query.x(), query.y());
   }
 
 private:
-  /// grows a spider in the middle of the area that the one at the site reached, and returns where that is. If that
-  /// spider in turn sees little, since limbs lead out of a tip by a narrow way only, it goes on from there.
-  Site<View> grow_inside(const View& view, const Site<View>& site, const Spider_frame<Scalar>& frame,
-                         Reached_area<Scalar> area, const Options<Scalar>& options)
+  /// grows a spider near the middle of the area that the one at the site reached, within the radius of the site, and
+  /// returns where that is in the coordinates of the spider. If that in turn sees little, since limbs lead out of a tip
+  /// by a narrow way only, it goes on from there.
+  Vec3<Scalar> grow_inside(const View& view, const Site<View>& site, const Spider_frame<Scalar>& frame, Scalar radius,
+                           Reached_area<Scalar> area, const Options<Scalar>& options)
   {
+    // From the middle, limbs see into the tips of a ragged border; but it is curvature at the site that is wanted.
+    // Measured: at 0.3, with noise, there is up to a tenth more error, and at 0 up to two thirds.
+    constexpr Scalar share_of_way = Scalar(0.7);
     constexpr int most_steps = 4;
     constexpr Scalar fair = Scalar(0.5), little = Scalar(0.75); // of the limbs' length is cut off
     Site<View> inside = site;
+    Vec3<Scalar> query = Vec3<Scalar>::Zero();
     Scalar share_of_step = 1;
     for(int i = 0; i < most_steps && share_of_step > 0; ++i)
     {
       const auto step = area.centroid();
-      const Scalar length = step.norm(), distance = share_of_step * length * radius_.front();
+      const Scalar length = step.norm(), distance = share_of_way * share_of_step * length * radius;
       constexpr Scalar least_length = Scalar(1e-6); // below, the direction is that of rounding
       if(length > least_length && distance > 0)
         inside = site_ahead(view, inside, frame, step.x() / length, step.y() / length, distance);
-      spider_.grow(view, inside, frame, radius_, options);
+      query = Local_coordinates<Scalar>(inside.point, frame, radius)(site.point);
+      spider_.grow_in_disc(view, inside, frame, radius, query.x(), query.y(), options);
       area = spider_.area(0);
       share_of_step = 1 - falling(area.cut_off(), fair, little);
     }
-    return inside;
+    return query;
   }
 
   /// fits all terms, and returns what they are at a point.
@@ -126,7 +131,6 @@ private:
     return means;
   }
 
-  std::vector<Scalar> radius_; ///< one
   Sampled_spider<View, degree> spider_;
 };
 

@@ -22,23 +22,23 @@ class Reached_area
 public:
   using Vector = Eigen::Matrix<Scalar, 2, 1>;
 
-  void add(Scalar reached, Limb_end end, Scalar cosine, Scalar sine)
+  /// adds a limb that got so far of what it was to reach.
+  void add(Scalar reached, Scalar to_reach, Limb_end end, Scalar cosine, Scalar sine)
   {
-    ++number_of_limbs_;
+    to_reach_ += to_reach;
     if(end == border || end == feature_edge)
-      cut_off_ += 1 - reached;
+      cut_off_ += to_reach - reached;
     area_ += reached * reached / 2;
     moment_ += reached * reached * reached / 3 * Vector(cosine, sine);
   }
 
   /// returns which share of the limbs' length is missing beyond borders and feature edges.
-  Scalar cut_off() const { return number_of_limbs_ > 0 ? cut_off_ / Scalar(number_of_limbs_) : Scalar(0); }
+  Scalar cut_off() const { return to_reach_ > 0 ? cut_off_ / to_reach_ : Scalar(0); }
 
   Vector centroid() const { return area_ > 0 ? Vector(moment_ / area_) : Vector(Vector::Zero()); }
 
 private:
-  int number_of_limbs_ = 0;
-  Scalar cut_off_ = 0, area_ = 0;
+  Scalar to_reach_ = 0, cut_off_ = 0, area_ = 0;
   Vector moment_ = Vector::Zero();
 };
 

@@ -38,25 +38,39 @@ public:
             const std::vector<Scalar>& radii, const Options<Scalar>& options)
   {
     const Scalar radius = radii.back();
-    directions_.set(options.number_of_directions_at(radius));
-    const std::size_t number_of_bundles = directions_.cosines.size();
     shares_.resize(radii.size());
-    samples_.resize(radii.size());
-    areas_.assign(radii.size(), Reached_area<Scalar>());
     for(std::size_t k = 0; k < radii.size(); ++k)
-    {
       shares_[k] = radii[k] / radius;
-      samples_[k].begin(number_of_bundles, shares_[k], short_segment * radii.front() / radius);
-    }
+    grow_bundles(view, site, frame, radius, options, [this](Limb_bundle<View>& limbs, std::size_t bundle) {
+      // Samples up to the largest radius are added up, those up to smaller ones are what there is when a limb comes by.
+      auto& all = samples_.back().bundles[bundle];
+      limbs.walk(
+        shares_, [&](const Segments<Scalar>& next) { all.add(next, samples_.back().short_length); },
+        [&](int lane, std::size_t k) {
+          auto& samples = samples_[k].bundles[bundle];
+          if(&samples != &all)
+            samples.take_lane(lane, all);
+          note_end(limbs, bundle, lane, k, 1);
+        });
+    });
+  }
 
-    const Star<View> star(view, site, Local_coordinates<Scalar>(site.point, frame, radius));
-    const Functions origin = functions_at_origin(view, site, star.local);
-    for(std::size_t i = 0; i < number_of_bundles; ++i)
-    {
-      Limb_bundle<View> limbs(view, site, star, directions_.cosines[i], directions_.sines[i],
-                              directions_.limbs_in_bundle(i), options.limb_rule.measure);
-      sample(limbs, i, origin);
-    }
+  /// grows a spider that stays within the radius of a point in its local coordinates.
+  void grow_in_disc(const View& view, const Site<View>& site, const Spider_frame<Scalar>& frame, Scalar radius,
+                    Scalar x, Scalar y, const Options<Scalar>& options)
+  {
+    shares_.assign(1, 1);
+    grow_bundles(view, site, frame, radius, options, [&](Limb_bundle<View>& limbs, std::size_t bundle) {
+      auto& all = samples_.back().bundles[bundle];
+      // where the limbs' directions meet the unit circle around the point
+      const Lanes<Scalar> along =
+        directions_.cosines[bundle] * Lanes<Scalar>(x) + directions_.sines[bundle] * Lanes<Scalar>(y);
+      const Lanes<Scalar> zero(0), squared = along * along + Lanes<Scalar>(1 - x * x - y * y);
+      const Lanes<Scalar> reach = larger(along + square_root(larger(squared, zero)), zero);
+      limbs.walk_each(reach, [&](const Segments<Scalar>& next) { all.add(next, samples_.back().short_length); });
+      for(int l = 0; l < number_of_lanes; ++l)
+        note_end(limbs, bundle, l, 0, reach[l]);
+    });
   }
 
   /// The samples up to the `k`-th radius, what that is as a share of the largest, and what was reached within it.
@@ -76,27 +90,39 @@ public:
   }
 
 private:
-  /// walks the limbs of a bundle. Their samples up to the largest radius are added up, and those up to smaller ones are
-  /// what there is when a limb comes by.
-  void sample(Limb_bundle<View>& limbs, std::size_t bundle, const Functions& origin)
+  /// calls `walk(limbs, bundle)` for all bundles of limbs.
+  template <typename Walk>
+  void grow_bundles(const View& view, const Site<View>& site, const Spider_frame<Scalar>& frame, Scalar radius,
+                    const Options<Scalar>& options, const Walk& walk)
   {
-    const int number_of_limbs = directions_.limbs_in_bundle(bundle);
-    auto& all = samples_.back().bundles[bundle];
-    all.clear(origin);
-    limbs.walk(
-      shares_, [&](const Segments<Scalar>& next) { all.add(next, samples_.back().short_length); },
-      [&](int lane, std::size_t k) {
-        auto& samples = samples_[k].bundles[bundle];
-        if(&samples != &all)
-          samples.take_lane(lane, all);
-        const Limb_end end = limbs.end(lane);
-        samples.end_lane(lane, limbs.end_along_direction()[lane], end == radius_reached);
-        if(lane >= number_of_limbs)
-          return;
-        const Scalar reached = limbs.reached(lane) / shares_[k];
-        samples_[k].extent.add(reached, end, limbs.climbs(lane));
-        areas_[k].add(reached, end, directions_.cosines[bundle][lane], directions_.sines[bundle][lane]);
-      });
+    directions_.set(options.number_of_directions_at(radius));
+    const std::size_t number_of_bundles = directions_.cosines.size();
+    samples_.resize(shares_.size());
+    areas_.assign(shares_.size(), Reached_area<Scalar>());
+    for(std::size_t k = 0; k < shares_.size(); ++k)
+      samples_[k].begin(number_of_bundles, shares_[k], short_segment * shares_.front());
+
+    const Star<View> star(view, site, Local_coordinates<Scalar>(site.point, frame, radius));
+    const Functions origin = functions_at_origin(view, site, star.local);
+    for(std::size_t i = 0; i < number_of_bundles; ++i)
+    {
+      Limb_bundle<View> limbs(view, site, star, directions_.cosines[i], directions_.sines[i],
+                              directions_.limbs_in_bundle(i), options.limb_rule.measure);
+      samples_.back().bundles[i].clear(origin);
+      walk(limbs, i);
+    }
+  }
+
+  /// notes where a limb ended that was to reach a share of the `k`-th radius.
+  void note_end(const Limb_bundle<View>& limbs, std::size_t bundle, int lane, std::size_t k, Scalar to_reach)
+  {
+    const Limb_end end = limbs.end(lane);
+    samples_[k].bundles[bundle].end_lane(lane, limbs.end_along_direction()[lane], end == radius_reached);
+    if(lane >= directions_.limbs_in_bundle(bundle))
+      return;
+    const Scalar reached = limbs.reached(lane) / shares_[k];
+    samples_[k].extent.add(reached, end, limbs.climbs(lane));
+    areas_[k].add(reached, to_reach, end, directions_.cosines[bundle][lane], directions_.sines[bundle][lane]);
   }
 
   static constexpr Scalar short_segment = Scalar(0.01); ///< a hundredth of the radius, see `weight_by_area()`
