@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -92,6 +93,7 @@ class Averaging_patch
 {
   using Scalar = typename View::Scalar;
   using Vertex = typename View::Vertex;
+  using Other_vertices = std::pair<std::size_t, std::size_t>; ///< of a face
 
 public:
   Averaging_patch(const View& view, const Site<View>& centre, int rings, Scalar unit_length) : view_(view)
@@ -114,8 +116,8 @@ public:
     {
       std::vector<Vec3<Scalar>> next(area_vectors_.begin(), area_vectors_.begin() + ring_ends_[ring]);
       for(std::size_t i = 0; i < next.size(); ++i)
-        for(std::size_t neighbour : stars_[i])
-          next[i] += area_vectors_[neighbour] / 2;
+        for(const auto& [a, b] : stars_[i])
+          next[i] += area_vectors_[a] / 2 + area_vectors_[b] / 2;
       area_vectors_ = std::move(next);
     }
     return area_vectors_.front();
@@ -133,11 +135,11 @@ private:
   void add_star(Vertex v, Scalar unit_length)
   {
     const Site<View> site = site_at_vertex(view_, v);
-    std::vector<std::size_t> star;
+    std::vector<Other_vertices> star;
     for(typename View::Halfedge edge : site.rim)
     {
-      star.push_back(add(view_.source(edge)));
-      star.push_back(add(view_.target(edge)));
+      const std::size_t source = add(view_.source(edge));
+      star.emplace_back(source, add(view_.target(edge)));
     }
     stars_.push_back(std::move(star));
     area_vectors_.push_back(area_vector(view_, site, unit_length));
@@ -146,8 +148,8 @@ private:
   const View& view_;
   std::vector<Vertex> vertices_; ///< ring after ring
   std::map<Vertex, std::size_t> index_;
-  std::vector<std::size_t> ring_ends_;          ///< number of vertices within as many rings
-  std::vector<std::vector<std::size_t>> stars_; ///< neighbours, once per shared face
+  std::vector<std::size_t> ring_ends_; ///< number of vertices within as many rings
+  std::vector<std::vector<Other_vertices>> stars_;
   std::vector<Vec3<Scalar>> area_vectors_;
 };
 
@@ -160,7 +162,7 @@ neighbourhood_normal_at_vertex(const View& view, typename View::Vertex v, typena
   if(site.rim.empty())
     return nan_vec3<typename View::Scalar>();
   const int passes = number_of_averaging_passes(view, site, radius);
-  return unit(Averaging_patch<View>(view, site, passes, radius).averaged());
+  return unit(Averaging_patch<View>(view, site, passes, power_of_two_at_most(radius)).averaged());
 }
 
 } // namespace internal

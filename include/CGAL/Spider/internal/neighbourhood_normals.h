@@ -55,7 +55,8 @@ public:
   }
 
 private:
-  /// returns one for all, which doesn't matter as long as its square is neither huge nor tiny.
+  /// returns one for all, which doesn't matter as long as its square is neither huge nor tiny: to divide by powers of two
+  /// doesn't round.
   template <typename Radius>
   Scalar unit_length(const Radius& radius_at) const
   {
@@ -63,7 +64,7 @@ private:
     {
       const Scalar radius = radius_at(static_cast<Vertex>(v));
       if(radius > 0 && std::isfinite(radius))
-        return radius;
+        return power_of_two_at_most(radius);
     }
     return 1;
   }

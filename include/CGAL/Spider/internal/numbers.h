@@ -17,6 +17,7 @@
 
 #include <Eigen/Core>
 
+#include <cmath>
 #include <limits>
 #include <type_traits>
 
@@ -92,6 +93,12 @@ template <typename Scalar>
 Scalar angle_between(const Vec3<Scalar>& a, const Vec3<Scalar>& b)
 {
   return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+template <typename Scalar>
+Scalar power_of_two_at_most(Scalar positive)
+{
+  return std::scalbn(Scalar(1), std::ilogb(positive));
 }
 
 /// returns a share that falls from 1, for values up to `from`, to 0, for values from `to` on; 0 for NaN.
