@@ -129,7 +129,7 @@ inline void add_attributes(Settings& settings, Mesh& mesh, Random& random)
     settings.is_constrained[v] = random.one_in(10);
     settings.radii[v] = settings.radii_have_slips && random.one_in(8) ? random_slip(random)
                                                                       : settings.radius * random.power_of_ten(-1, 1);
-    settings.radii_have_slips |= !std::isfinite(settings.radii[v]);
+    settings.radii_have_slips |= !(settings.radii[v] > 0) || !std::isfinite(settings.radii[v]); // tiny ones vanish
     settings.normals[v] = random.one_in(20) ? Kernel::Vector_3(random_slip(random), 0, 0) : random_vector(random);
   }
 }

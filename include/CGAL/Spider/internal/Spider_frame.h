@@ -8,6 +8,7 @@
 #include <CGAL/Spider/internal/numbers.h>
 
 #include <cmath>
+#include <limits>
 
 namespace CGAL {
 namespace Spider {
@@ -40,10 +41,12 @@ struct Spider_frame
     return {unit_normal, tangent - tangent.dot(unit_normal) / (1 + normal.dot(unit_normal)) * halfway};
   }
 
+  /// returns the direction of what is left of a vector beside the normal; NaN where that is no more than rounding.
   Vec3<Scalar> tangential_part(const Vec3<Scalar>& a) const
   {
-    const Vec3<Scalar> direction = unit(a);
-    return unit<Scalar>(direction - direction.dot(normal) * normal);
+    constexpr Scalar rounding = 4 * std::numeric_limits<Scalar>::epsilon(); // of a product of two unit vectors
+    const Vec3<Scalar> direction = unit(a), part = direction - direction.dot(normal) * normal;
+    return part.norm() > rounding ? unit(part) : nan_vec3<Scalar>();
   }
 
   Vec3<Scalar> direction(Scalar angle) const { return std::cos(angle) * tangent + std::sin(angle) * bitangent; }
