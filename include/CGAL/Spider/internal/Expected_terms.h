@@ -71,6 +71,18 @@ private:
   Row coefficients_;
 };
 
+/// returns the variance of noise that what all terms leave unexplained lets be at most, by two standard deviations of
+/// such an estimate; infinite where values are no more than terms.
+template <int Free, typename Scalar, int Size>
+Scalar most_noise_beside_all_terms(const Orthonormal_terms<Free, Scalar, Size>& terms, Scalar independent_values)
+{
+  const Scalar count = independent_values - Size;
+  if(!(count > 0))
+    return std::numeric_limits<Scalar>::infinity();
+  const Scalar left = std::max(terms.unexplained() - terms.explained_by_neglected(), Scalar(0));
+  return left / count * (1 + 2 * std::sqrt(2 / count));
+}
+
 /// returns the variance of noise, given in how many values it is independent. If that and the expected squares are
 /// right, what `Expected_terms` leaves unexplained is on average as many times the variance as there are such values
 /// beyond the free terms; so the variance is sought that fits, from above. Where values are fewer than terms, more than
@@ -88,10 +100,11 @@ Scalar noise_beside_expected_terms(const Normal_equations<Scalar, Size>& equatio
   const Scalar count = std::max(independent_values - Free, Scalar(1));
   // Noise isn't below rounding, so that what is flat but for rounding is told from what is bent.
   const Scalar least = std::numeric_limits<Scalar>::epsilon() * equations.squared_values / count;
-  Scalar noise = Orthonormal_terms<Free, Scalar, Size>(equations).unexplained() / count;
+  const Orthonormal_terms<Free, Scalar, Size> plain(equations);
+  Scalar noise = plain.unexplained() / count;
   for(int round = 0; round < rounds; ++round)
     noise = Expected_terms<Free, Scalar, Size>(equations, expected, std::max(noise, least)).unexplained() / count;
-  return std::max(noise, least);
+  return std::max(std::min(noise, most_noise_beside_all_terms(plain, independent_values)), least);
 }
 
 } // namespace internal

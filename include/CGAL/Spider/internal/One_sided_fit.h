@@ -14,17 +14,12 @@
 #ifndef CGAL_SPIDER_INTERNAL_ONE_SIDED_FIT_H
 #define CGAL_SPIDER_INTERNAL_ONE_SIDED_FIT_H
 
-#include <CGAL/Spider/internal/Expected_terms.h>
 #include <CGAL/Spider/internal/Options.h>
 #include <CGAL/Spider/internal/Reached_area.h>
 #include <CGAL/Spider/internal/Sampled_spider.h>
 #include <CGAL/Spider/internal/Site_ahead.h>
+#include <CGAL/Spider/internal/fit_expected_terms.h>
 #include <CGAL/Spider/internal/height_field.h>
-#include <CGAL/Spider/internal/least_squares.h>
-
-#include <array>
-#include <cmath>
-#include <vector>
 
 namespace CGAL {
 namespace Spider {
@@ -35,9 +30,6 @@ class One_sided_fit
 {
   using Scalar = typename View::Scalar;
   static constexpr int degree = 4;
-  using Basis = Height_field_basis<degree>;
-  using Row = std::array<Scalar, Basis::size>;
-  using Terms = Expected_terms<Basis::quadratic, Scalar, Basis::size>;
 
 public:
   /// returns which share a one-sided fit gets of the answer where that much is cut off of a spider: nothing where
@@ -59,7 +51,8 @@ public:
     if(!(spider_.extent(0).reached > 0))
       return {};
     spider_.samples(0).add_rim(1);
-    return fit_at(query.x(), query.y());
+    const auto equations = spider_.equations(0);
+    return fit_expected_terms<degree>(equations, spider_.independent_values(0, equations), query.x(), query.y());
   }
 
 private:
@@ -90,45 +83,6 @@ private:
       share_of_step = 1 - falling(area.cut_off(), fair, little);
     }
     return query;
-  }
-
-  /// fits all terms, and returns what they are at a point.
-  Local_field<Scalar> fit_at(Scalar x, Scalar y) const
-  {
-    const auto equations = spider_.equations(0);
-    const Orthonormal_terms<Basis::quadratic, Scalar, Basis::size> plain(equations);
-    for(int i = 0; i < Basis::quadratic; ++i)
-      if(!plain.has(i))
-        return {};
-    const auto expected = Basis::expected_squares_of_monomials(Basis::squared_curvature(plain.coefficients(0)));
-    if(!(expected.back() > 0)) // flat, and small enough for its powers to vanish
-      return {};
-    const Scalar independent_values = spider_.independent_values(0, equations);
-    const Scalar noise = noise_beside_expected_terms<Basis::quadratic>(equations, expected, independent_values);
-    const Terms terms(equations, expected, noise);
-
-    Local_field<Scalar> field;
-    field.derivatives = Basis::derivatives_at(terms.coefficients(), x, y);
-    field.residual = std::sqrt(terms.misfit(expected) / equations.matrix[Basis::constant][Basis::constant]);
-    field.standard_error = terms.standard_error(mean_of_second_derivatives(x, y));
-    field.independent_values = independent_values;
-    field.determined = std::isfinite(field.derivatives.xx + field.derivatives.xy + field.derivatives.yy) &&
-                       std::isfinite(field.standard_error);
-    return field;
-  }
-
-  /// returns what each term adds to the mean of the second derivatives by x and by y at a point.
-  static Row mean_of_second_derivatives(Scalar x, Scalar y)
-  {
-    Row means;
-    for(int i = 0; i < Basis::size; ++i)
-    {
-      Row term{};
-      term[i] = 1;
-      const Derivatives<Scalar> d = Basis::derivatives_at(term, x, y);
-      means[i] = (d.xx + d.yy) / 2;
-    }
-    return means;
   }
 
   Sampled_spider<View, degree> spider_;

@@ -91,15 +91,16 @@ struct Height_field_basis
     return squared * squared * squared / 64;
   }
 
-  /// returns the squares that let expect the coefficients of the monomials above the quadratic terms to have. Along a
-  /// line in any direction, cubic ones are of k^2 / 6, as if curvature changed by itself over its own radius, and
-  /// quartic ones are the circle's. Those of one degree vary with binomial coefficients, so that what is expected is the
-  /// same whichever way axes are turned.
+  /// returns the squares that let expect the coefficients of all terms above the quadratic ones to have. Along a line in
+  /// any direction, cubic ones are of k^2 / 6, as if curvature changed by itself over its own radius, and quartic ones are
+  /// the circle's. Those of one degree vary with binomial coefficients, so that what is expected is the same whichever
+  /// way axes are turned.
   template <typename Scalar>
-  static std::array<Scalar, fitted - quadratic> expected_squares_of_monomials(Scalar squared_curvature)
+  static std::array<Scalar, size - quadratic> expected_squares(Scalar squared_curvature)
   {
     const Scalar cubic = squared_curvature * squared_curvature / 36, quartic = squared_curvature * cubic * 36 / 64;
-    std::array<Scalar, fitted - quadratic> squares;
+    std::array<Scalar, size - quadratic> squares;
+    squares.fill(quartic);
     for(int degree = 3, i = 0; degree <= Degree; ++degree)
     {
       Scalar binomial = 1;

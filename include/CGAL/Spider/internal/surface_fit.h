@@ -9,6 +9,7 @@
 // - Samples stand for area, and are compared with the mesh that the height field would give (Spider_samples.h).
 // - A quadric takes what quartic terms do to the rim for curvature. These terms are estimated too, and their effect is
 //   taken back by a share: the larger curvature lets expect them to be, and the less noise there is, the more of it.
+// - Of degree 3 and 4, terms above the quadratic ones are taken as far as noise lets (fit_expected_terms.h).
 // - At borders and feature edges, where the surface ends on one side, more terms are fitted (One_sided_fit.h).
 // - Limbs are walked in lockstep, and their samples only leave sums of powers behind.
 
@@ -20,6 +21,7 @@
 #include <CGAL/Spider/internal/Sampled_spider.h>
 #include <CGAL/Spider/internal/Spider_fit.h>
 #include <CGAL/Spider/internal/Spider_frame.h>
+#include <CGAL/Spider/internal/fit_expected_terms.h>
 #include <CGAL/Spider/internal/height_field.h>
 #include <CGAL/Spider/internal/least_squares.h>
 
@@ -75,16 +77,13 @@ public:
     if(!(extent(k).reached > 0))
       return {};
     Local_field<Scalar> field = two_sided_field(k);
-    if constexpr(Degree == 2)
+    const Reached_area<Scalar>& area = spider_.area(k);
+    const Scalar share = One_sided_fit<View>::share(area.cut_off());
+    if(field.determined && share > 0)
     {
-      const Reached_area<Scalar>& area = spider_.area(k);
-      const Scalar share = One_sided_fit<View>::share(area.cut_off());
-      if(field.determined && share > 0)
-      {
-        const Local_field<Scalar> one_sided = one_sided_fit_(view, site, frame, radius, area, options_);
-        if(one_sided.determined)
-          field = field.towards(one_sided.in_units_of(spider_.share_of_radius(k)), share);
-      }
+      const Local_field<Scalar> one_sided = one_sided_fit_(view, site, frame, radius, area, options_);
+      if(one_sided.determined)
+        field = field.towards(one_sided.in_units_of(spider_.share_of_radius(k)), share);
     }
     return fit_of(field);
   }
@@ -93,9 +92,21 @@ private:
   /// fits the spider alone.
   Local_field<Scalar> two_sided_field(std::size_t k)
   {
-    // Weight on the rim is against noise. Where neglected terms matter more than noise does, it is withdrawn.
-    const auto without_rim = solve_samples(k);
-    spider_.samples(k).add_rim(1 - without_rim.share_of_neglected);
+    if constexpr(Degree == 2)
+    {
+      // Weight on the rim is against noise. Where neglected terms matter more than noise does, it is withdrawn.
+      const auto without_rim = solve_samples(k);
+      spider_.samples(k).add_rim(1 - without_rim.share_of_neglected);
+    }
+    else
+    {
+      spider_.samples(k).add_rim(1);
+      const auto equations = spider_.equations(k);
+      const Local_field<Scalar> field =
+        fit_expected_terms<Degree>(equations, spider_.independent_values(k, equations), Scalar(0), Scalar(0));
+      if(field.determined)
+        return field;
+    }
     return local_field(solve_samples(k), extent(k).is_complete);
   }
 
