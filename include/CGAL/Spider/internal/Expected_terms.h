@@ -71,22 +71,49 @@ private:
   Row coefficients_;
 };
 
-/// returns the variance of noise that what all terms leave unexplained lets be at most, by two standard deviations of
-/// such an estimate; infinite where values are no more than terms.
-template <int Free, typename Scalar, int Size>
-Scalar most_noise_beside_all_terms(const Orthonormal_terms<Free, Scalar, Size>& terms, Scalar independent_values)
+/// returns the normal equations of all but the first terms, for what those leave of the values and of the others.
+template <int First, typename Scalar, int Size>
+Normal_equations<Scalar, Size - First> beside_first_terms(Normal_equations<Scalar, Size> equations)
+{
+  auto& [matrix, right_side, squared_values] = equations;
+  for(int k = 0; k < First; ++k)
+  {
+    for(int i = k + 1; i < Size; ++i)
+    {
+      const Scalar factor = matrix[i][k] / matrix[k][k];
+      for(int j = k + 1; j <= i; ++j)
+        matrix[i][j] -= factor * matrix[j][k];
+      right_side[i] -= factor * right_side[k];
+    }
+    squared_values -= right_side[k] * right_side[k] / matrix[k][k];
+  }
+  Normal_equations<Scalar, Size - First> left;
+  for(int i = First; i < Size; ++i)
+  {
+    std::copy(matrix[i].begin() + First, matrix[i].end(), left.matrix[i - First].begin());
+    left.right_side[i - First] = right_side[i];
+  }
+  left.squared_values = squared_values;
+  return left;
+}
+
+/// returns the variance of noise that what all terms leave of the values lets be at most, by two standard deviations of
+/// such an estimate; infinite where it isn't independent in more values than there are terms to be fitted beside those
+/// that are fitted already.
+template <typename Scalar, int Size>
+Scalar most_noise_beside_all_terms(const Normal_equations<Scalar, Size>& equations, Scalar independent_values)
 {
   const Scalar count = independent_values - Size;
   if(!(count > 0))
     return std::numeric_limits<Scalar>::infinity();
-  const Scalar left = std::max(terms.unexplained() - terms.explained_by_neglected(), Scalar(0));
+  const Scalar left = std::max(Orthonormal_terms<Size, Scalar, Size>(equations).unexplained(), Scalar(0));
   return left / count * (1 + 2 * std::sqrt(2 / count));
 }
 
 /// returns the variance of noise, given in how many values it is independent. If that and the expected squares are
 /// right, what `Expected_terms` leaves unexplained is on average as many times the variance as there are such values
 /// beyond the free terms; so the variance is sought that fits, from above. Where values are fewer than terms, more than
-/// is expected of these can't but be noise.
+/// is expected of these can't but be noise. The free terms have to be determined.
 template <int Free, typename Scalar, int Size>
 Scalar noise_beside_expected_terms(const Normal_equations<Scalar, Size>& equations,
                                    std::array<Scalar, Size - Free> expected, Scalar independent_values)
@@ -94,17 +121,19 @@ Scalar noise_beside_expected_terms(const Normal_equations<Scalar, Size>& equatio
   // Terms larger than expected mustn't pass for noise, which would damp them: ten times as large ones are taken for
   // likely here. Under noise that changes nothing; without, it halves the error.
   constexpr Scalar generosity = 100; // of squares
-  constexpr int rounds = 3;          // under noise one tells as much; without noise each lowers what is left of it
+  // Under noise, one round tells as much as any number. Without, each lowers what is left of it, and from the eighth on
+  // errors don't get less.
+  constexpr int rounds = 8;
   for(Scalar& square : expected)
     square *= generosity;
-  const Scalar count = std::max(independent_values - Free, Scalar(1));
+  const auto left = beside_first_terms<Free>(equations);
+  const Scalar values = independent_values - Free, count = std::max(values, Scalar(1));
   // Noise isn't below rounding, so that what is flat but for rounding is told from what is bent.
   const Scalar least = std::numeric_limits<Scalar>::epsilon() * equations.squared_values / count;
-  const Orthonormal_terms<Free, Scalar, Size> plain(equations);
-  Scalar noise = plain.unexplained() / count;
+  Scalar noise = left.squared_values / count;
   for(int round = 0; round < rounds; ++round)
-    noise = Expected_terms<Free, Scalar, Size>(equations, expected, std::max(noise, least)).unexplained() / count;
-  return std::max(std::min(noise, most_noise_beside_all_terms(plain, independent_values)), least);
+    noise = Expected_terms<0, Scalar, Size - Free>(left, expected, std::max(noise, least)).unexplained() / count;
+  return std::max(std::min(noise, most_noise_beside_all_terms(left, values)), least);
 }
 
 } // namespace internal
