@@ -75,8 +75,12 @@ public:
     }
   }
 
-  /// tells whether a line runs through the face of a halfedge and leaves it there.
-  bool is_crossing(Halfedge h) const { return h != View::null_halfedge() && is_crossed(h) && in_face(h).is_ridge; }
+  /// tells whether a line runs through the face of a halfedge and leaves it there. Whether there is a ridge is asked of
+  /// the face alike at all of its halfedges, lest rounding let a line in that can't get out.
+  bool is_crossing(Halfedge h) const
+  {
+    return h != View::null_halfedge() && is_crossed(h) && in_face(view_.halfedge(view_.face(h))).is_ridge;
+  }
 
   /// returns the crossing that follows one on its line, or the null halfedge where the line ends.
   Halfedge next(Halfedge crossing) const
