@@ -73,8 +73,8 @@ auto limb_measure(const T& kind);
 
 2, 3 or 4: the degree of the fitted polynomials.
 
-<b>Default:</b> 2 (paper, 2.6). `surface_fit` takes terms above the quadratic ones as far as noise lets: 3 and 4 are never much worse than 2, on smooth
-meshes without noise and with large radii far better, and take up to twice the time. With `section_fit` 4 needs twice the radius under noise.
+<b>Default:</b> 2 (paper, 2.6). `surface_fit` takes terms above the quadratic ones as far as noise lets: under noise 3 and 4 are about as good as 2, on
+smooth meshes without noise far better, and 4 has better directions with large radii. They take up to twice the time. With `section_fit` 4 needs twice the radius under noise.
 
 \param degree the value
 \return a chain of named parameters

@@ -37,7 +37,6 @@ public:
   {}
 
   const Row& coefficients() const { return coefficients_; }
-  bool has(int term) const { return terms_.has(term); }
 
   /// returns what is left of the values' squares, and what the coefficients cost by what is expected of them.
   Scalar unexplained() const { return std::max(terms_.unexplained(), Scalar(0)); }
@@ -121,8 +120,8 @@ Scalar noise_beside_expected_terms(const Normal_equations<Scalar, Size>& equatio
   // Terms larger than expected mustn't pass for noise, which would damp them: ten times as large ones are taken for
   // likely here. Under noise that changes nothing; without, it halves the error.
   constexpr Scalar generosity = 100; // of squares
-  // Under noise, one round tells as much as any number. Without, each lowers what is left of it, and from the eighth on
-  // errors don't get less.
+  // Under noise, one round tells as much as any number. Without, each lowers what is left of it. Measured: at a radius of
+  // two edges, eight have half the error of three, and at four 3 % less.
   constexpr int rounds = 8;
   for(Scalar& square : expected)
     square *= generosity;
