@@ -15,8 +15,11 @@
 #include <CGAL/boost/graph/Euler_operations.h>
 
 #include <algorithm>
+#include <cmath>
+#include <complex>
 #include <cstdint>
 #include <random>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -158,16 +161,35 @@ TEST(limb_bundle, a_component_inside_the_sphere_closes)
                         most_limbs);
 }
 
-TEST(limb_moments, are_the_normal_equations_of_all_samples)
+namespace {
+
+/// The terms of a height field at a point, those above the degree by what turns them: powers of (x + iy).
+template <int Degree>
+Eigen::VectorXd terms_at(double x, double y)
 {
-  constexpr int degree = 2;
-  using Basis = internal::Height_field_basis<degree>;
-  using Moments = internal::Limb_moments<double, degree>;
+  using Basis = internal::Height_field_basis<Degree>;
+  const std::complex<double> z(x, y), square = z * z, cube = square * z, fourth = square * square;
+  const double squared = std::norm(z);
+  const auto curved = Basis::curved_at(x, y);
+  Eigen::VectorXd row(static_cast<int>(Basis::size));
+  row << 1, x, y, squared, square.real(), square.imag(), //
+    squared * x, squared * y, cube.real(), cube.imag(),  //
+    squared * squared, squared * square.real(), squared * square.imag(), fourth.real(), fourth.imag();
+  for(int k = 0; k < Basis::curved; ++k)
+    row[Basis::linear + k] = curved[k];
+  return row;
+}
+
+template <int Degree>
+void expect_equations_of_all_samples()
+{
+  using Basis = internal::Height_field_basis<Degree>;
+  using Moments = internal::Limb_moments<double, Degree>;
+  constexpr int columns = Basis::size + 1; // the values are the last
   std::mt19937 random(3);
   const auto uniform = [&] { return random() / 4294967296.; };
 
-  Eigen::Matrix<double, Basis::size, Basis::size> matrix = decltype(matrix)::Zero();
-  Eigen::Matrix<double, Basis::size, 1> right_side = decltype(right_side)::Zero();
+  Eigen::MatrixXd products = Eigen::MatrixXd::Zero(columns, columns);
   Values cosines, sines;
   for(int l = 0; l < internal::number_of_lanes; ++l)
   {
@@ -179,30 +201,58 @@ TEST(limb_moments, are_the_normal_equations_of_all_samples)
   for(int i = 0; i < 5; ++i)
   {
     Values y, weight;
-    Moments::Functions functions;
+    typename Moments::Functions functions;
     for(int l = 0; l < internal::number_of_lanes; ++l)
     {
       y.set(l, uniform());
       weight.set(l, uniform());
       for(auto& function : functions)
         function.set(l, uniform()); // curved terms are interpolated, so they are no function of y and the angle
-      Eigen::Matrix<double, Basis::size, 1> row;
-      const double a = y[l] * cosines[l], b = y[l] * sines[l], squared = a * a + b * b;
-      row << 1, a, b, functions[0][l], functions[1][l], functions[2][l], squared * squared, squared * (a * a - b * b),
-        squared * 2 * a * b;
-      matrix += weight[l] * row * row.transpose();
-      right_side += weight[l] * functions[Moments::height][l] * row;
+      Eigen::VectorXd row(columns);
+      row << terms_at<Degree>(y[l] * cosines[l], y[l] * sines[l]), functions[Moments::height][l];
+      for(int k = 0; k < Basis::curved; ++k)
+        row[Basis::linear + k] = functions[k][l];
+      products += weight[l] * row * row.transpose();
     }
     moments.add(y, functions, weight);
   }
   internal::Normal_equations<Values, Basis::size> equations;
   moments.add_to(equations, cosines, sines);
-  for(int i = 0; i < Basis::size; ++i)
-  {
-    for(int k = 0; k <= i; ++k)
-      EXPECT_NEAR(equations.matrix[i][k].sum(), matrix(i, k), 1e-12) << i << ", " << k;
-    EXPECT_NEAR(equations.right_side[i].sum(), right_side[i], 1e-12) << i;
-  }
+  for(int i = 0; i < columns; ++i)
+    for(int k = i; k < columns; ++k)
+      EXPECT_NEAR(equations.products[i][k].sum(), products(i, k), 1e-12) << i << ", " << k;
+}
+
+} // namespace
+
+TEST(limb_moments, are_the_normal_equations_of_all_samples)
+{
+  expect_equations_of_all_samples<2>();
+  expect_equations_of_all_samples<3>();
+  expect_equations_of_all_samples<4>();
+}
+
+TEST(height_field, expects_the_same_whichever_way_axes_are_turned_and_of_every_degree)
+{
+  const double squared_curvature = 0.7;
+  // cos^3 and cos^4 of the angle between two points' directions tell how what is expected at one goes with the other's
+  const auto expect = [=](auto degree) {
+    using Basis = internal::Height_field_basis<decltype(degree)::value>;
+    const auto squares = Basis::expected_squares(squared_curvature);
+    for(double angle : {0., 0.4, 1., 2.5})
+    {
+      const Eigen::VectorXd a = terms_at<decltype(degree)::value>(std::cos(0.3), std::sin(0.3)),
+                            b = terms_at<decltype(degree)::value>(std::cos(0.3 + angle), std::sin(0.3 + angle));
+      double of_cubic = 0, of_quartic = 0;
+      for(int i = Basis::quadratic; i < Basis::size; ++i)
+        (i < Basis::quartic ? of_cubic : of_quartic) += squares[i - Basis::quadratic] * a[i] * b[i];
+      EXPECT_NEAR(of_cubic, std::pow(squared_curvature / 6, 2) * std::pow(std::cos(angle), 3), 1e-12) << angle;
+      EXPECT_NEAR(of_quartic, std::pow(squared_curvature, 3) / 64 * std::pow(std::cos(angle), 4), 1e-12) << angle;
+    }
+  };
+  expect(std::integral_constant<int, 2>());
+  expect(std::integral_constant<int, 3>());
+  expect(std::integral_constant<int, 4>());
 }
 
 namespace {
@@ -213,11 +263,11 @@ internal::Normal_equations<double, Size> normal_equations_of(const System& syste
   internal::Normal_equations<double, Size> equations;
   for(int i = 0; i < Size; ++i)
   {
-    for(int k = 0; k <= i; ++k)
-      equations.matrix[i][k] = system.col(i).dot(system.col(k));
-    equations.right_side[i] = system.col(i).dot(values);
+    for(int k = i; k < Size; ++k)
+      equations.products[i][k] = system.col(i).dot(system.col(k));
+    equations.products[i][Size] = system.col(i).dot(values);
   }
-  equations.squared_values = values.squaredNorm();
+  equations.products[Size][Size] = values.squaredNorm();
   return equations;
 }
 
@@ -236,64 +286,44 @@ TEST(least_squares, agrees_with_a_QR_decomposition_and_leaves_out_what_rows_do_n
     system(i, 3) = system(i, 1) + 2 * system(i, 2); // nothing new
     values[i] = uniform();
   }
-  const auto equations = normal_equations_of<size>(system, values);
-  const auto fit = internal::solve<size, 2>(equations, 12., [](const auto&) { return 0.; });
-  const Eigen::Vector3d expected = system.leftCols<3>().colPivHouseholderQr().solve(values);
-  for(int i = 0; i < 3; ++i)
-  {
-    EXPECT_TRUE(fit.determined[i]);
-    EXPECT_NEAR(fit.coefficients[i], expected[i], 1e-12);
-  }
-  EXPECT_FALSE(fit.determined[3]);
-  EXPECT_EQ(fit.coefficients[3], 0);
-  EXPECT_NEAR(fit.residual, (system.leftCols<3>() * expected - values).norm() / std::sqrt(12.), 1e-12);
-}
-
-TEST(least_squares, takes_back_what_neglected_terms_do_by_the_share_that_is_effect_and_not_noise)
-{
-  constexpr int size = 3, fitted = 2;
-  std::mt19937 random(7);
-  const auto uniform = [&] { return random() / 4294967296.; };
-  Eigen::Matrix<double, 20, size> system;
-  Eigen::Matrix<double, 20, 1> values;
-  for(int i = 0; i < system.rows(); ++i)
-  {
-    const double x = uniform();
-    system.row(i) << 1, x, x * x;
-    values[i] = 1 + x + x * x + 0.2 * uniform();
-  }
-  const auto equations = normal_equations_of<size>(system, values);
-
-  const Eigen::Vector2d plain = system.leftCols<fitted>().colPivHouseholderQr().solve(values);
-  const Eigen::Vector3d full = system.colPivHouseholderQr().solve(values);
-  // what of the neglected term the fitted ones don't explain: its square is what a coefficient of 1 would explain
-  const Eigen::VectorXd left =
-    system.col(2) - system.leftCols<fitted>() * system.leftCols<fitted>().colPivHouseholderQr().solve(system.col(2));
-  const double independent_values = 9, noise = (system * full - values).squaredNorm() / independent_values;
-  for(double expected : {0., 1e-3, 1., 1e12})
-  {
-    SCOPED_TRACE(expected);
-    const auto fit = internal::solve<fitted, 1>(equations, independent_values, [&](const auto& neglected) {
-      EXPECT_NEAR(neglected.plain[1], plain[1], 1e-11);
-      EXPECT_NEAR(neglected.explained_by_ones, left.squaredNorm(), 1e-9);
-      EXPECT_NEAR(neglected.noise, noise, 1e-9);
-      return internal::predicted_share(neglected, expected);
-    });
-    const double effect = expected * left.squaredNorm(), share = effect / (effect + noise);
-    EXPECT_NEAR(fit.share_of_neglected, share, 1e-9);
-    // The coefficient is linear in the values: noise of the same variance in all makes the sum of its factors' squares.
-    const Eigen::MatrixXd of_plain =
-                            system.leftCols<fitted>().colPivHouseholderQr().solve(Eigen::MatrixXd::Identity(20, 20)),
-                          of_full = system.colPivHouseholderQr().solve(Eigen::MatrixXd::Identity(20, 20));
-    const Eigen::VectorXd factors = (1 - share) * of_plain.row(1) + share * of_full.row(1);
-    EXPECT_NEAR(fit.standard_error, std::sqrt(noise) * factors.norm(), 1e-9);
-    for(int i = 0; i < fitted; ++i)
+  internal::Elimination<double, size> terms(normal_equations_of<size>(system, values));
+  const auto expect_fit_of_first = [&](int count) {
+    const Eigen::MatrixXd first = system.leftCols(count);
+    const Eigen::VectorXd expected = first.colPivHouseholderQr().solve(values);
+    for(int i = 0; i < size; ++i)
     {
-      EXPECT_NEAR(fit.plain[i], plain[i], 1e-11);
-      EXPECT_NEAR(fit.coefficients[i], plain[i] + share * (full[i] - plain[i]), 1e-9);
+      EXPECT_EQ(terms.has(i), i < count);
+      EXPECT_NEAR(terms.coefficients()[i], i < count ? expected[i] : 0, 1e-12);
     }
-  }
+    EXPECT_NEAR(terms.unexplained(), (first * expected - values).squaredNorm(), 1e-12);
+    const Eigen::VectorXd of_next =
+      system.col(2) - first * first.colPivHouseholderQr().solve(Eigen::VectorXd(system.col(2)));
+    if(count < 3)
+    {
+      EXPECT_NEAR(terms.left_of(2), of_next.squaredNorm(), 1e-12);
+    }
+    Eigen::VectorXd function(count);
+    for(int i = 0; i < count; ++i)
+      function[i] = i + 1;
+    EXPECT_NEAR(terms.variance({1, 2, 3, 4}), function.dot((first.transpose() * first).inverse() * function), 1e-9);
+  };
+  terms.eliminate(0, 2);
+  expect_fit_of_first(2);
+  terms.eliminate(2, size);
+  expect_fit_of_first(3);
 }
+
+namespace {
+
+template <int Free, int Size>
+internal::Elimination<double, Size> beside_free_terms(const internal::Normal_equations<double, Size>& equations)
+{
+  internal::Elimination<double, Size> terms(equations);
+  terms.eliminate(0, Free);
+  return terms;
+}
+
+} // namespace
 
 TEST(expected_terms, are_damped_as_rows_would_that_say_what_is_expected)
 {
@@ -311,7 +341,7 @@ TEST(expected_terms, are_damped_as_rows_would_that_say_what_is_expected)
   const auto equations = normal_equations_of<size>(system, values);
   const std::array<double, size - free> expected = {3, 0.5};
   const double noise = 0.01;
-  const internal::Expected_terms<free, double, size> terms(equations, expected, noise);
+  const internal::Expected_terms<free, double, size> terms(beside_free_terms<free>(equations), expected, noise);
 
   // A row per term says that its coefficient is zero, as surely as noise compares with what is expected.
   Eigen::MatrixXd with_rows = Eigen::MatrixXd::Zero(rows + size - free, size);
@@ -323,7 +353,7 @@ TEST(expected_terms, are_damped_as_rows_would_that_say_what_is_expected)
   const Eigen::VectorXd coefficients = with_rows.colPivHouseholderQr().solve(with_zeros);
   for(int i = 0; i < size; ++i)
     EXPECT_NEAR(terms.coefficients()[i], coefficients[i], 1e-10);
-  EXPECT_NEAR(terms.misfit(expected), (system * coefficients - values).squaredNorm(), 1e-10);
+  EXPECT_NEAR(terms.misfit(terms.coefficients(), expected), (system * coefficients - values).squaredNorm(), 1e-10);
   EXPECT_NEAR(terms.unexplained(), (with_rows * coefficients - with_zeros).squaredNorm(), 1e-10);
   const Eigen::Vector4d function(1, 2, 3, 4);
   EXPECT_NEAR(terms.standard_error({1, 2, 3, 4}),
@@ -352,8 +382,8 @@ TEST(expected_terms, leave_the_noise)
         system.row(i) << 1, x, x * x, x * x * x, x * x * x * x, x * x * x * x * x;
         values[i] = system.row(i) * coefficients + amplitude * std::sqrt(12.) * uniform();
       }
-      sum += internal::noise_beside_expected_terms<free, double, size>(normal_equations_of<size>(system, values),
-                                                                       {1, 1, 1}, rows);
+      sum += internal::noise_beside_expected_terms<free, double, size>(
+        beside_free_terms<free>(normal_equations_of<size>(system, values)), {1, 1, 1}, rows);
     }
     const double mean = sum / draws;
     EXPECT_NEAR(mean, amplitude * amplitude, 0.1 * amplitude * amplitude + 1e-6) << mean; // measured: 4 % less

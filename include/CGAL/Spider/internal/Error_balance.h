@@ -118,8 +118,8 @@ private:
   }
 
   /// Standard errors are those of noise and of whatever else the fits leave over, so they are no more than upper
-  /// bounds. From one rung to the next, noise falls by three tenths or more, even where the share of the neglected
-  /// terms that is predicted grows meanwhile. And on the first rung, of two edges, there is no more than its step
+  /// bounds. From one rung to the next, noise falls by three tenths or more, even where more is told of terms of higher
+  /// degrees meanwhile. And on the first rung, of two edges, there is no more than its step
   /// shows, of which at least two thirds are gone on the next one. Estimators that tell no standard errors are bound by
   /// the steps alone, and by a fall to a quarter.
   void tell_noise()
@@ -152,13 +152,13 @@ private:
   }
 
   /// The best linear estimates at two radii differ by what the smaller one has more of noise (Hausman), and beyond that
-  /// by bias. With the neglected terms predicted, bias is of the fourth order: three quarters of it are in the step
-  /// from the last rung. That it may turn round at large radii is no reason to believe these.
+  /// by bias. Where noise hides the terms of higher degrees, that is of the second order, and half of it is in the step
+  /// from the last rung; where they are told, of the fourth, and three quarters are. That it may turn round at large radii is no reason to believe these.
   void tell_bias()
   {
     // Standard errors may be wrong by 15 %, and a mean square over n vertices by two times 1.5 / sqrt(n).
     const Scalar tolerance = Scalar(1.15) + 3 / std::sqrt(static_cast<Scalar>(samples_.size()));
-    constexpr Scalar per_step = Scalar(16) / 9;
+    constexpr Scalar per_step = 3; // between 4 and 16 / 9, their squares' inverses
     bias_[0] = 0;
     for(int k = 1; k < rungs_; ++k)
     {

@@ -117,7 +117,7 @@ private:
     const Values zero(0), one(1);
     const Values crossing = at_.source_side / (at_.source_side - at_.target_side);
     const Values x = between(at_.source.x, at_.target.x, crossing), y = between(at_.source.y, at_.target.y, crossing);
-    const Values y_step = at_.along(x, y) - y_, z_step = between(at_.source.z, at_.target.z, crossing) - z_;
+    const Values exit = at_.along(x, y), y_step = exit - y_, z_step = between(at_.source.z, at_.target.z, crossing) - z_;
     const Values step = square_root(y_step * y_step + z_step * z_step);
 
     const Values advance = by_arc_length_ ? step : y_step, from = by_arc_length_ ? reached_ : y_;
@@ -128,7 +128,7 @@ private:
     const Values middle_share = (smaller((begin - from) * inverse, share) + share) * Values(Scalar(0.5));
     const Values gain = select(growing_, larger(arrived - begin, zero), zero);
     const Segments<Scalar> segments{
-      at_.source, at_.target, crossing, share, gain, middle_share, y_ + middle_share * y_step};
+      at_.source, at_.target, crossing, share, gain, middle_share, y_ + middle_share * y_step, exit};
 
     y_ = y_ + share * y_step;
     z_ = z_ + share * z_step;

@@ -9,6 +9,7 @@
 #include <CGAL/Spider/internal/height_field.h>
 #include <CGAL/Spider/internal/least_squares.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 
@@ -18,7 +19,7 @@ namespace internal {
 
 /// What the samples of limbs in lockstep add to the normal equations of a height field.
 ///
-/// On a limb, a linear or neglected term is a power of the distance y from the query point, times a factor that depends
+/// On a limb, a linear or harmonic term is a power of the distance y from the query point, times a factor that depends
 /// on the direction only. So of these, sums over samples of the weighted powers are enough, and of their products with
 /// the other functions along the limb: the curved terms and the height.
 template <typename Scalar, int Degree>
@@ -48,18 +49,26 @@ public:
   /// adds a sample of each limb at the distances `y`.
   void add(const Values& y, const Functions& functions, const Values& weight)
   {
-    Weighted_powers powers = {weight, weight * y};
-    if constexpr(Basis::neglected > 0)
-    {
-      const Values squared = y * y, fourth = squared * squared;
-      powers[2] = weight * fourth;
-      moments_[3] += powers[2];
-      moments_[4] += powers[2] * y;
-      moments_[5] += powers[2] * fourth;
-    }
+    std::array<Values, number_of_powers> powers = {weight, weight * y};
     moments_[0] += powers[0];
     moments_[1] += powers[1];
     moments_[2] += powers[1] * y;
+    if constexpr(Degree < 4)
+    {
+      const Values squared = y * y, third = squared * y, fourth = squared * squared;
+      const Values weighted_fourth = weight * fourth;
+      powers[power(4)] = weighted_fourth;
+      moments_[4] += weighted_fourth;
+      moments_[5] += weighted_fourth * y;
+      moments_[8] += weighted_fourth * fourth;
+      if constexpr(Degree < 3)
+      {
+        powers[power(3)] = weight * third;
+        moments_[3] += powers[power(3)];
+        moments_[6] += powers[power(3)] * third;
+        moments_[7] += weighted_fourth * third;
+      }
+    }
     CGAL_SPIDER_FOR_EACH(i, 0, height + 1)
     {
       CGAL_SPIDER_FOR_EACH(k, 0, number_of_powers)
@@ -88,50 +97,36 @@ public:
   /// adds the samples of all limbs, given the cosines and sines of their directions, to the equations.
   void add_to(Normal_equations<Values, Basis::size>& equations, const Values& cosine, const Values& sine) const
   {
-    std::array<int, Basis::linear + Basis::neglected> terms;
-    std::array<Values, Basis::linear + Basis::neglected> turning;
-    CGAL_SPIDER_FOR_EACH(i, 0, Basis::linear + Basis::neglected)
+    auto& products = equations.products;
+    std::array<Values, Basis::powers> turning;
+    CGAL_SPIDER_FOR_EACH(i, 0, Basis::powers)
     {
-      terms[i] = i < Basis::linear ? i : Basis::curved + i;
-      turning[i] = Basis::turning(terms[i], cosine, sine);
+      const int term = term_of_power(i);
+      turning[i] = Basis::turning(term, cosine, sine);
       CGAL_SPIDER_FOR_EACH(k, 0, i + 1)
-        equations.matrix[terms[i]][terms[k]] += turning[i] * turning[k] * moment(terms[i], terms[k]);
-      equations.right_side[terms[i]] += turning[i] * mixed_[height][power(terms[i])];
-      CGAL_SPIDER_FOR_EACH(k, 0, Basis::curved)
-        (i < Basis::linear ? equations.matrix[Basis::linear + k][i] : equations.matrix[terms[i]][Basis::linear + k]) +=
-          turning[i] * mixed_[k][power(terms[i])];
+        products[term_of_power(k)][term] += turning[i] * turning[k] * moments_[degree(i) + degree(k)];
+      CGAL_SPIDER_FOR_EACH(k, 0, height + 1)
+      {
+        const int other = term_of_function(k);
+        products[std::min(term, other)][std::max(term, other)] += turning[i] * mixed_[k][power(degree(i))];
+      }
     }
-    CGAL_SPIDER_FOR_EACH(i, 0, Basis::curved)
-    {
+    CGAL_SPIDER_FOR_EACH(i, 0, height + 1)
       CGAL_SPIDER_FOR_EACH(k, 0, i + 1)
-        equations.matrix[Basis::linear + i][Basis::linear + k] += products_[i][k];
-      equations.right_side[Basis::linear + i] += products_[height][i];
-    }
-    equations.squared_values += products_[height][height];
+        products[term_of_function(k)][term_of_function(i)] += products_[i][k];
   }
 
 private:
-  /// The powers 0, 1 and 4 of the distance.
-  static constexpr int number_of_powers = Basis::neglected > 0 ? 3 : 2;
-  using Weighted_powers = std::array<Values, 3>;
+  /// The powers of the distance, 0, 1, and those of the degrees that aren't fitted.
+  static constexpr int number_of_powers = 2 + Basis::highest_degree - Degree;
+  static constexpr int power(int degree) { return degree > 1 ? degree - Degree + 1 : degree; }
 
-  static constexpr int power(int term) { return Basis::degree(term) == 4 ? 2 : Basis::degree(term); }
+  static constexpr int term_of_power(int i) { return i < Basis::linear ? i : Basis::curved + i; }
+  static constexpr int term_of_function(int i) { return i < height ? Basis::linear + i : Basis::size; }
+  static constexpr int degree(int i) { return Basis::degree(term_of_power(i)); }
 
-  const Values& moment(int i, int k) const
-  {
-    switch(Basis::degree(i) + Basis::degree(k))
-    {
-      case 0: return moments_[0];
-      case 1: return moments_[1];
-      case 2: return moments_[2];
-      case 4: return moments_[3];
-      case 5: return moments_[4];
-      default: return moments_[5];
-    }
-  }
-
-  std::array<Values, 6> moments_;                                      ///< of the powers 0, 1, 2, 4, 5 and 8
-  std::array<std::array<Values, number_of_powers>, height + 1> mixed_; ///< of the powers 0, 1, 4, and the functions
+  std::array<Values, 2 * Basis::highest_degree + 1> moments_;           ///< of the powers that products have
+  std::array<std::array<Values, number_of_powers>, height + 1> mixed_; ///< of powers and functions
   std::array<std::array<Values, height + 1>, height + 1> products_;    ///< of two functions each, a lower triangle
 };
 

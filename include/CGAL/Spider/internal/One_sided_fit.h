@@ -18,7 +18,6 @@
 #include <CGAL/Spider/internal/Reached_area.h>
 #include <CGAL/Spider/internal/Sampled_spider.h>
 #include <CGAL/Spider/internal/Site_ahead.h>
-#include <CGAL/Spider/internal/fit_expected_terms.h>
 #include <CGAL/Spider/internal/height_field.h>
 
 namespace CGAL {
@@ -50,9 +49,7 @@ public:
     const Vec3<Scalar> query = grow_inside(view, site, frame, radius, area, options);
     if(!(spider_.extent(0).reached > 0))
       return {};
-    spider_.samples(0).add_rim(1);
-    const auto equations = spider_.equations(0);
-    return fit_expected_terms<degree>(equations, spider_.independent_values(0, equations), query.x(), query.y());
+    return spider_.fit(0).at(query.x(), query.y());
   }
 
 private:

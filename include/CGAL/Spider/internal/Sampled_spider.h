@@ -5,6 +5,7 @@
 #ifndef CGAL_SPIDER_INTERNAL_SAMPLED_SPIDER_H
 #define CGAL_SPIDER_INTERNAL_SAMPLED_SPIDER_H
 
+#include <CGAL/Spider/internal/Height_field_fit.h>
 #include <CGAL/Spider/internal/Limb_bundle.h>
 #include <CGAL/Spider/internal/Limb_directions.h>
 #include <CGAL/Spider/internal/Options.h>
@@ -73,23 +74,31 @@ public:
     });
   }
 
-  /// The samples up to the `k`-th radius, what that is as a share of the largest, and what was reached within it.
-  Spider_samples<Scalar, Degree>& samples(std::size_t k) { return samples_[k]; }
+  /// What the `k`-th radius is as a share of the largest, and what was reached within it.
+  Scalar share_of_radius(std::size_t k) const { return shares_[k]; }
   const Spider_extent<Scalar>& extent(std::size_t k) const { return samples_[k].extent; }
   const Reached_area<Scalar>& area(std::size_t k) const { return areas_[k]; }
-  Scalar share_of_radius(std::size_t k) const { return shares_[k]; }
 
-  Normal_equations<Scalar, Basis::size> equations(std::size_t k) const { return samples_[k].equations(directions_); }
+  /// fits the samples up to the `k`-th radius, once. Weight on the rim is against noise: where terms that a quadric
+  /// neglects matter more than noise does, it is withdrawn.
+  Height_field_fit<Degree, Scalar> fit(std::size_t k)
+  {
+    const auto without_rim = samples_[k].equations(directions_);
+    const Height_field_fit<Degree, Scalar> first(without_rim, independent_values(k, without_rim));
+    samples_[k].add_rim(first.share_of_noise());
+    const auto equations = samples_[k].equations(directions_);
+    return {equations, independent_values(k, equations), first.noise()};
+  }
 
-  /// returns in how many values the noise in these equations is independent.
+private:
+  /// returns in how many values the noise in equations is independent.
   Scalar independent_values(std::size_t k, const Normal_equations<Scalar, Basis::size>& equations) const
   {
-    const Scalar sum_of_weights = equations.matrix[Basis::constant][Basis::constant];
+    const Scalar sum_of_weights = equations.products[Basis::constant][Basis::constant];
     const Scalar angle_between_limbs = Scalar(2 * CGAL_PI) / directions_.number_of_limbs;
     return samples_[k].sizes().independent_values(sum_of_weights, angle_between_limbs);
   }
 
-private:
   /// calls `walk(limbs, bundle)` for all bundles of limbs.
   template <typename Walk>
   void grow_bundles(const View& view, const Site<View>& site, const Spider_frame<Scalar>& frame, Scalar radius,

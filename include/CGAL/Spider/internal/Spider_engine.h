@@ -108,8 +108,8 @@ private:
   /// in between, lest answers jump where the next vertex takes one more round.
   Scalar share_of_next_round(const Vec3<Scalar>& normal, const Vec3<Scalar>& found) const
   {
-    // Of what still is continuous, the least: rounds of spiders that stood aslant are the worse ones.
-    constexpr Scalar clearly = Fit::rests_at_best_fit ? Scalar(4) / 3 : Scalar(1);
+    // Measured on paths over a noisy scan: at 4/3, answers jump twice as often by a twentieth of what they vary by.
+    constexpr Scalar clearly = Fit::rests_at_best_fit ? Scalar(2) : Scalar(1);
     const Scalar least = options_.convergence_angle;
     return 1 - falling(angle_between(normal, found), least, clearly * least);
   }

@@ -5,7 +5,7 @@
 // What the samples of a spider leave behind for `surface_fit`: sums of powers, limb by limb in lanes.
 //
 // - A sample at the distance y is weighed by y, so that every piece of area counts the same. The rim weighs more: there
-//   a sample also stands for the vertices beyond, whose noise it shares.
+//   a sample also stands for the vertices beyond.
 // - Facets sag below the surface that they stand for. So a sample isn't compared with the height field, but with the
 //   mesh that one would get by moving the vertices onto the height field: the terms are interpolated along edges and
 //   along the limb as heights are. A mesh of an exact polynomial of the fitted degree gives that polynomial.
@@ -74,8 +74,8 @@ public:
   {
     moments_.clear();
     sizes_ = {};
-    at_end_ = at_turn_ = origin;
-    reached_ = last_gain_ = turned_at_ = Values(0);
+    at_end_ = at_exit_ = at_turn_ = origin;
+    reached_ = last_gain_ = turned_at_ = entry_ = exit_ = Values(0);
   }
 
   /// adds a sample in the middle of the next segment of each limb.
@@ -91,7 +91,10 @@ public:
                                                 : between(next.source.z, next.target.z, next.crossing);
       middle[k] = between(at_end_[k], crossing, next.middle_share);
       at_end_[k] = between(at_end_[k], crossing, next.share);
+      at_exit_[k] = crossing;
     }
+    exit_ = next.exit;
+    entry_ = select(next.share < Values(1), entry_, exit_);
     const Values area = next.middle * next.gain, by_area = weight_by_area(next.gain, short_length) *
                                                            weight_by_slope(next.middle, middle[Moments::height]);
     moments_.add(next.middle, middle, area * by_area);
@@ -104,9 +107,12 @@ public:
     moments_.take_lane(lane, other.moments_);
     sizes_.take_lane(lane, other.sizes_);
     turned_at_.set(lane, other.turned_at_[lane]);
+    entry_.set(lane, other.entry_[lane]);
+    exit_.set(lane, other.exit_[lane]);
     for(int k = 0; k <= Basis::curved; ++k)
     {
       at_end_[k].set(lane, other.at_end_[k][lane]);
+      at_exit_[k].set(lane, other.at_exit_[k][lane]);
       at_turn_[k].set(lane, other.at_turn_[k][lane]);
     }
   }
@@ -118,17 +124,23 @@ public:
     is_complete_.set(lane, is_complete ? 1 : 0);
   }
 
-  /// adds a sample at the ends of complete limbs, which stands for an area and is weighed by that. A limb that turned
-  /// back just before the radius has it where it turned, all of it if that was at the radius: there limbs end that
-  /// reach it before they turn, and others go on to the far side of a fold.
-  void add_rim(Scalar area, const Values& weight_by_area, Scalar radius)
+  /// adds a sample at the rim of the faces where complete limbs end, though no farther from these ends than the given
+  /// length; it stands for an area and is weighed by that. A limb that turned back just before the radius has it where
+  /// it turned, all of it if that was at the radius: there limbs end that reach it before they turn, and others go on to
+  /// the far side of a fold.
+  void add_rim(Scalar area, const Values& weight_by_area, Scalar radius, Scalar farthest)
   {
     constexpr Scalar just_before = Scalar(0.1); // of the radius
     const Values one(1), zero(0), lack = one - turned_at_ * Values(1 / radius);
     const Values share_at_turn = larger(one - lack * Values(1 / just_before), zero);
     if((share_at_turn > zero).any())
       add_at_rim(turned_at_, at_turn_, share_at_turn * Values(area), weight_by_area);
-    add_at_rim(end_, at_end_, (one - share_at_turn) * is_complete_ * Values(area), weight_by_area);
+    const Values beyond = beyond_end(farthest), way = exit_ - end_;
+    const Values share = beyond / select(way > zero, way, one);
+    Functions at_rim;
+    for(int k = 0; k <= Basis::curved; ++k)
+      at_rim[k] = between(at_end_[k], at_exit_[k], share);
+    add_at_rim(end_ + beyond, at_rim, (one - share_at_turn) * is_complete_ * Values(area), weight_by_area);
   }
 
   const Moments& moments() const { return moments_; }
@@ -150,6 +162,16 @@ private:
     last_gain_ = next.gain;
   }
 
+  /// returns how far beyond their ends limbs would leave the faces where they end, at most the given length: not before
+  /// they came some of their way through these, lest answers jump where limbs enter others.
+  Values beyond_end(Scalar farthest) const
+  {
+    constexpr Scalar some = Scalar(1) / 3; // of the way
+    const Values zero(0), one(1), way_through = exit_ - entry_;
+    const Values share_of_way = larger(end_ - entry_, zero) / select(way_through > zero, way_through, one);
+    return smaller(share_of_way * Values(1 / some), one) * larger(smaller(exit_ - end_, Values(farthest)), zero);
+  }
+
   void add_at_rim(const Values& y, const Functions& functions, const Values& areas, const Values& weight_by_area)
   {
     const Values by_area = weight_by_area * weight_by_slope(y, functions[Moments::height]);
@@ -163,10 +185,11 @@ private:
   }
 
   Moments moments_;
-  Functions at_end_, at_turn_;
+  Functions at_end_, at_exit_, at_turn_;
   Values reached_, last_gain_; ///< how far limbs got, and what their last segments added
   Values turned_at_;           ///< where they last turned back, 0 if they never did
   Values end_;                 ///< how far along their directions they got
+  Values entry_, exit_;        ///< where along them limbs enter the faces where they end, and would leave these
   Values is_complete_;
   Sample_sizes<Scalar> sizes_;
 };
@@ -189,22 +212,26 @@ struct Spider_samples
     short_length = short_length_of_segments;
   }
 
-  /// Beyond the rim, noise is that of the samples at the rim for about an edge length: measured, as the weight at
-  /// which the variance of curvature is least, on meshes with noise of all tessellations. A spider that is smaller than
-  /// an edge doesn't know what is beyond; there the rim stands for no more than the radius.
+  /// The faces where limbs end reach beyond these, and of all vertices that a spider meets, those there tell most of
+  /// curvature under noise. So the rim's samples lie where limbs would leave these faces, half an edge length away at
+  /// most. They weigh as much as segments of 0.7 edge lengths: measured, as the weight at which the variance of curvature
+  /// is least on meshes with noise. Samples at the limbs' ends, which are best as segments of an edge length, leave a
+  /// tenth more error at a radius of four edge lengths. A spider that is smaller than an edge doesn't know what is
+  /// beyond; there the rim stands for no more than the radius.
   void add_rim(Scalar share)
   {
     // On average over its directions a line crosses 2 / pi edges per length and length of edges per area (Crofton), and
     // equilateral triangles have edges of the length 2 sqrt(3) per area and edge length.
     constexpr Scalar segments_per_edge_length = Scalar(2.2);
+    constexpr Scalar share_of_length = Scalar(0.7);
     constexpr Scalar square_of_edge_by_doubled_area = Scalar(1.1547005); // of equilateral triangles: 2 / sqrt(3)
     const Scalar edge_length =
       std::min(std::sqrt(square_of_edge_by_doubled_area * sizes().doubled_area()), share_of_radius);
     const Scalar length = edge_length / segments_per_edge_length;
-    const Lanes<Scalar> by_area = Lanes<Scalar>(share * segments_per_edge_length * share_of_radius) *
+    const Lanes<Scalar> by_area = Lanes<Scalar>(share * share_of_length * segments_per_edge_length * share_of_radius) *
                                   weight_by_area(Lanes<Scalar>(length), short_length);
     for(auto& bundle : bundles)
-      bundle.add_rim(length, by_area, share_of_radius);
+      bundle.add_rim(length, by_area, share_of_radius, edge_length / 2);
   }
 
   Sample_sizes<Scalar> sizes() const
@@ -222,13 +249,9 @@ struct Spider_samples
       bundles[i].moments().add_to(of_limbs, directions.cosines[i], directions.sines[i]);
 
     Normal_equations<Scalar, Basis::size> sum;
-    for(int i = 0; i < Basis::size; ++i)
-    {
-      for(int k = 0; k <= i; ++k)
-        sum.matrix[i][k] = of_limbs.matrix[i][k].sum();
-      sum.right_side[i] = of_limbs.right_side[i].sum();
-    }
-    sum.squared_values = of_limbs.squared_values.sum();
+    for(int i = 0; i <= Basis::size; ++i)
+      for(int k = i; k <= Basis::size; ++k)
+        sum.products[i][k] = of_limbs.products[i][k].sum();
     return sum;
   }
 };

@@ -31,7 +31,7 @@ namespace internal {
 template <typename Scalar>
 Scalar variance_by_law(int k)
 {
-  const Scalar r = rung(Scalar(k)), deviation = 1 / (r * r * (r + 4));
+  const Scalar r = rung(Scalar(k)), deviation = 1 / (r * r * r + 6);
   return deviation * deviation;
 }
 

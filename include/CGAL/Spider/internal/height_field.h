@@ -30,25 +30,27 @@ struct Derivatives
   Scalar x, y, xx, xy, yy;
 };
 
-/// The terms of a height field z(x, y), in this order:
-/// - the linear ones, 1, x and y;
+/// The terms of a height field z(x, y) up to the fourth degree, by degree: 1, x and y, and
 /// - the curved ones: the quadratic ones by how they turn with the angle, x^2 + y^2, x^2 - y^2 and 2xy, and the monomials
-///   x^3, x^2 y, ... up to the degree;
-/// - behind these, which are fitted, the quartic terms that they neglect at the expense of the quadratic ones. On a disc
-///   those are the ones that turn with the angle as the quadratic ones do; what turns otherwise is orthogonal to them.
+///   x^3, x^2 y, ... of the degrees that are fitted;
+/// - the harmonic ones, of the others: powers of the distance times cosines and sines of the angle's multiples.
 template <int Degree>
 struct Height_field_basis
 {
-  static constexpr int linear = 3;
-  static constexpr int quadratic = number_of_monomials(2); ///< the number of terms up to these
+  static constexpr int highest_degree = 4;
+  static constexpr int linear = number_of_monomials(1), quadratic = number_of_monomials(2); ///< up to these
+  static constexpr int quartic = number_of_monomials(3);                                    ///< the first one
+  static constexpr int size = number_of_monomials(highest_degree);
   static constexpr int fitted = number_of_monomials(Degree);
   static constexpr int curved = fitted - linear;
-  static constexpr int neglected = Degree < 4 ? 3 : 0;
-  static constexpr int size = fitted + neglected;
+  static constexpr int powers = size - curved; ///< the number of linear and harmonic terms
   enum { constant, x_term, y_term, isotropic, difference, mixed };
 
-  /// The degree of the linear and of the neglected terms.
-  static constexpr int degree(int term) { return term >= fitted ? 4 : term > constant ? 1 : 0; }
+  /// The degree of the linear and of the harmonic terms.
+  static constexpr int degree(int term)
+  {
+    return term < linear ? (term > constant ? 1 : 0) : term < quartic ? 3 : 4;
+  }
 
   /// returns the curved terms at a point. `Value` is a number, or several numbers in lanes.
   template <typename Value>
@@ -81,41 +83,31 @@ struct Height_field_basis
     return 4 * (c[isotropic] * c[isotropic] + c[difference] * c[difference] + c[mixed] * c[mixed]);
   }
 
-  /// returns the square that lets expect the coefficients of neglected terms to have, given those of the quadratic ones: a
-  /// surface with the principal curvatures' root mean square k that bends alike all around has terms of k^3 / 8, as the
-  /// circle z = k x^2 / 2 + k^3 x^4 / 8 + ... does.
-  template <typename Scalar>
-  static Scalar expected_square(const std::array<Scalar, size>& c)
-  {
-    const Scalar squared = squared_curvature(c);
-    return squared * squared * squared / 64;
-  }
-
   /// returns the squares that let expect the coefficients of all terms above the quadratic ones to have. Along a line in
   /// any direction, cubic ones are of k^2 / 6, as if curvature changed by itself over its own radius, and quartic ones are
-  /// the circle's. Those of one degree vary with binomial coefficients, so that what is expected is the same whichever
-  /// way axes are turned.
+  /// of k^3 / 8, as the circle z = k x^2 / 2 + k^3 x^4 / 8 + ... has. What is expected is the same whichever way axes are
+  /// turned: cos^3 and cos^4 of the angle between two directions tell how what is along one goes with what is along the
+  /// other, hence the coefficients of these, as powers of sums or as sums of cosines of multiples.
   template <typename Scalar>
   static std::array<Scalar, size - quadratic> expected_squares(Scalar squared_curvature)
   {
-    const Scalar cubic = squared_curvature * squared_curvature / 36, quartic = squared_curvature * cubic * 36 / 64;
+    using Cubic = std::array<Scalar, 4>;
+    using Quartic = std::array<Scalar, 5>;
+    constexpr Cubic cubic = fitted > quadratic ? Cubic{1, 3, 3, 1} : Cubic{.75, .75, .25, .25};
+    constexpr Quartic quartic = fitted == size ? Quartic{1, 4, 6, 4, 1} : Quartic{.375, .5, .5, .125, .125};
+    const Scalar square_of_cubic = squared_curvature * squared_curvature / 36;
+    const Scalar square_of_quartic = squared_curvature * squared_curvature * squared_curvature / 64;
     std::array<Scalar, size - quadratic> squares;
-    squares.fill(quartic);
-    for(int degree = 3, i = 0; degree <= Degree; ++degree)
-    {
-      Scalar binomial = 1;
-      for(int q = 0; q <= degree; ++q)
-      {
-        squares[i++] = binomial * (degree == 3 ? cubic : quartic);
-        binomial *= Scalar(degree - q) / Scalar(q + 1);
-      }
-    }
+    for(std::size_t i = 0; i < cubic.size(); ++i)
+      squares[i] = cubic[i] * square_of_cubic;
+    for(std::size_t i = 0; i < quartic.size(); ++i)
+      squares[cubic.size() + i] = quartic[i] * square_of_quartic;
     return squares;
   }
 
-  /// returns the derivatives at a point, given the coefficients of the fitted terms.
-  template <typename Scalar>
-  static Derivatives<Scalar> derivatives_at(const std::array<Scalar, size>& c, Scalar x, Scalar y)
+  /// returns the derivatives at a point, given the coefficients of the fitted terms; at the origin, the others have none.
+  template <typename Coefficients, typename Scalar>
+  static Derivatives<Scalar> derivatives_at(const Coefficients& c, Scalar x, Scalar y)
   {
     const Scalar xx = 2 * (c[isotropic] + c[difference]), xy = 2 * c[mixed], yy = 2 * (c[isotropic] - c[difference]);
     Derivatives<Scalar> d = {c[x_term] + xx * x + xy * y, c[y_term] + xy * x + yy * y, xx, xy, yy};
@@ -137,17 +129,24 @@ struct Height_field_basis
     return d;
   }
 
-  /// returns the factor by which a linear or neglected term depends on the direction with the given cosine and sine; the
+  /// returns the factor by which a linear or harmonic term depends on the direction with the given cosine and sine; the
   /// other one is a power of the distance.
   template <typename Value>
   static Value turning(int term, const Value& cosine, const Value& sine)
   {
-    switch(term < fitted ? term : term - fitted + isotropic)
+    const Value cosine_of_2 = cosine * cosine - sine * sine, sine_of_2 = cosine * sine + cosine * sine;
+    switch(term)
     {
-      case x_term: return cosine;
-      case y_term: return sine;
-      case difference: return cosine * cosine - sine * sine;
-      case mixed: return cosine * sine + cosine * sine;
+      case x_term:
+      case quadratic: return cosine;
+      case y_term:
+      case quadratic + 1: return sine;
+      case quadratic + 2: return cosine * cosine_of_2 - sine * sine_of_2;
+      case quadratic + 3: return cosine * sine_of_2 + sine * cosine_of_2;
+      case quartic + 1: return cosine_of_2;
+      case quartic + 2: return sine_of_2;
+      case quartic + 3: return cosine_of_2 * cosine_of_2 - sine_of_2 * sine_of_2;
+      case quartic + 4: return cosine_of_2 * sine_of_2 + cosine_of_2 * sine_of_2;
       default: return Value(1);
     }
   }

@@ -7,9 +7,8 @@
 // - It needn't pass through the query point, which is as noisy as any other, and its gradient is free: curvatures come
 //   from its fundamental forms, so the frame may be tilted.
 // - Samples stand for area, and are compared with the mesh that the height field would give (Spider_samples.h).
-// - A quadric takes what quartic terms do to the rim for curvature. These terms are estimated too, and their effect is
-//   taken back by a share: the larger curvature lets expect them to be, and the less noise there is, the more of it.
-// - Of degree 3 and 4, terms above the quadratic ones are taken as far as noise lets (fit_expected_terms.h).
+// - A quadric takes what quartic terms do to the rim for curvature. So terms up to the fourth degree are fitted too, as
+//   far as noise lets (Height_field_fit.h).
 // - At borders and feature edges, where the surface ends on one side, more terms are fitted (One_sided_fit.h).
 // - Limbs are walked in lockstep, and their samples only leave sums of powers behind.
 
@@ -21,9 +20,7 @@
 #include <CGAL/Spider/internal/Sampled_spider.h>
 #include <CGAL/Spider/internal/Spider_fit.h>
 #include <CGAL/Spider/internal/Spider_frame.h>
-#include <CGAL/Spider/internal/fit_expected_terms.h>
 #include <CGAL/Spider/internal/height_field.h>
-#include <CGAL/Spider/internal/least_squares.h>
 
 #include <algorithm>
 #include <cmath>
@@ -39,7 +36,6 @@ template <typename View, int Degree>
 class Surface_fit
 {
   using Scalar = typename View::Scalar;
-  using Basis = Height_field_basis<Degree>;
 
 public:
   /// A surface that isn't a height field, such as that around a sharp ridge, has several normals from which the next
@@ -92,59 +88,9 @@ private:
   /// fits the spider alone.
   Local_field<Scalar> two_sided_field(std::size_t k)
   {
-    if constexpr(Degree == 2)
-    {
-      // Weight on the rim is against noise. Where neglected terms matter more than noise does, it is withdrawn.
-      const auto without_rim = solve_samples(k);
-      spider_.samples(k).add_rim(1 - without_rim.share_of_neglected);
-    }
-    else
-    {
-      spider_.samples(k).add_rim(1);
-      const auto equations = spider_.equations(k);
-      const Local_field<Scalar> field =
-        fit_expected_terms<Degree>(equations, spider_.independent_values(k, equations), Scalar(0), Scalar(0));
-      if(field.determined)
-        return field;
-    }
-    return local_field(solve_samples(k), extent(k).is_complete);
-  }
-
-  Least_squares_fit<Scalar, Basis::size> solve_samples(std::size_t k) const
-  {
-    const auto equations = spider_.equations(k);
-    return solve<Basis::fitted, Basis::isotropic>(
-      equations, spider_.independent_values(k, equations),
-      [](const auto& neglected) { return predicted_share(neglected, Basis::expected_square(neglected.plain)); });
-  }
-
-  static Local_field<Scalar> local_field(const Least_squares_fit<Scalar, Basis::size>& fit, bool is_complete)
-  {
-    // A spider inside one face, or inside coplanar ones, sees a plane, and no more than that if it is complete.
-    const auto& determined = fit.determined;
-    const bool is_flat = is_complete && !determined[Basis::isotropic];
-    if(!determined[Basis::constant] || !determined[Basis::x_term] || !determined[Basis::y_term] ||
-       !(determined[Basis::isotropic] || is_flat))
-      return {};
-    // Few vertices, or few limbs, may tell how much the surface bends but not in which direction it does so more.
-    const bool has_directions = determined[Basis::difference] && determined[Basis::mixed] && !is_flat;
-    // Directions are those of the plain fit: for them, what taking the neglected terms' effect back adds of noise is
-    // more than the bias that it takes.
-    const auto &c = fit.coefficients, &plain = fit.plain;
-    const Scalar bending = std::hypot(plain[Basis::difference], plain[Basis::mixed]);
-    const Scalar bends_as_plain =
-      c[Basis::difference] * plain[Basis::difference] + c[Basis::mixed] * plain[Basis::mixed];
-    const Scalar ratio = has_directions && bending > 0 ? std::max(bends_as_plain, Scalar(0)) / (bending * bending) : 0;
-    const Scalar difference = ratio * plain[Basis::difference], mixed = ratio * plain[Basis::mixed];
-    Local_field<Scalar> field;
-    field.determined = true;
-    field.is_whole = has_directions || is_flat;
-    field.derivatives = {c[Basis::x_term], c[Basis::y_term], 2 * (c[Basis::isotropic] + difference), 2 * mixed,
-                         2 * (c[Basis::isotropic] - difference)};
-    field.residual = fit.residual;
-    field.independent_values = fit.independent_values;
-    field.standard_error = 2 * fit.standard_error;
-    return field;
+    const Height_field_fit<Degree, Scalar> fit = spider_.fit(k);
+    const Local_field<Scalar> field = fit.at(0, 0);
+    return field.determined ? field : fit.plain(extent(k).is_complete);
   }
 
   static Spider_fit<Scalar> fit_of(const Local_field<Scalar>& field)
