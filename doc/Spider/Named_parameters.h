@@ -73,8 +73,9 @@ auto limb_measure(const T& kind);
 
 2, 3 or 4: the degree of the fitted polynomials.
 
-<b>Default:</b> 2 (paper, 2.6). `surface_fit` takes terms above the quadratic ones as far as noise lets: under noise 3 and 4 are about as good as 2, on
-smooth meshes without noise far better, and 4 has better directions with large radii. They take up to twice the time. With `section_fit` 4 needs twice the radius under noise.
+<b>Default:</b> 2 (paper, 2.6). `surface_fit` takes terms up to the fourth degree as far as noise lets, whatever the degree; those up to the degree are interpolated over
+facets as the mesh would have them. So under noise 3 and 4 are as good as 2, and on smooth meshes without noise and with small radii far better. They take up to twice the time. With `section_fit` 4 needs
+twice the radius under noise.
 
 \param degree the value
 \return a chain of named parameters

@@ -130,9 +130,9 @@ size of the mesh.
     \cgalParamDescription{degree of the fitted polynomials}
     \cgalParamType{2, 3 or 4}
     \cgalParamDefault{2}
-    \cgalParamExtra{`surface_fit` takes terms above the quadratic ones as far as noise lets: under noise 3 and 4 are about
-    as good as 2, on smooth meshes without noise far better, and 4 has better directions with large radii. They
-    take up to twice the time}
+    \cgalParamExtra{`surface_fit` takes terms up to the fourth degree as far as noise lets, whatever the degree; those up
+    to the degree are interpolated over facets as the mesh would have them. So under noise 3 and 4 are as good as 2, and
+    on smooth meshes without noise and with small radii far better. They take up to twice the time}
   \cgalParamNEnd
   \cgalParamNBegin{resampling_step}
     \cgalParamDescription{distance of samples along a limb, as a share of the radius}
