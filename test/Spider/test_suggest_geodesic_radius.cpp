@@ -55,8 +55,8 @@ Surface noisy_graph(const Function& f, double noise, unsigned seed)
     const double x = p.x() + 0.3 * spacing * uniform(), y = p.y() + 0.3 * spacing * uniform();
     const Height h = f(x, y);
     const double g = 1 + h.x * h.x + h.y * h.y;
-    surface.mean_curvatures.push_back(
-      -((1 + h.y * h.y) * h.xx - 2 * h.x * h.y * h.xy + (1 + h.x * h.x) * h.yy) / (2 * std::pow(g, 1.5)));
+    surface.mean_curvatures.push_back(-((1 + h.y * h.y) * h.xx - 2 * h.x * h.y * h.xy + (1 + h.x * h.x) * h.yy) /
+                                      (2 * std::pow(g, 1.5)));
     return Vector(Vector(x, y, h.z) + noise / 2 * spacing * uniform() / std::sqrt(g) * Vector(-h.x, -h.y, 1));
   });
   return surface;
@@ -250,8 +250,8 @@ TEST(suggest_geodesic_radius, of_a_broken_mesh_is_not_a_number_or_that_of_what_i
   points.add_vertex(Kernel::Point_3(1, 2, 3));
   EXPECT_TRUE(std::isnan(Spider::suggest_geodesic_radius(points)));
   EXPECT_TRUE(std::isnan(radii_of(points).at(Vertex(0))));
-  EXPECT_TRUE(std::isnan(Spider::suggest_geodesic_radius(
-    meshes::from_soup<Mesh>({{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}, {{0, 1, 2}}))));
+  EXPECT_TRUE(std::isnan(
+    Spider::suggest_geodesic_radius(meshes::from_soup<Mesh>({{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}, {{0, 1, 2}}))));
 
   Mesh mesh = noisy_graph(waves, 0.5, 1).mesh;
   const double radius = Spider::suggest_geodesic_radius(mesh);

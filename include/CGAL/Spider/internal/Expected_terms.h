@@ -72,9 +72,9 @@ Scalar most_noise_beside_all_terms(Elimination<Scalar, Size> beside_free_terms, 
   return beside_free_terms.unexplained() / count * (1 + 2 * std::sqrt(2 / count));
 }
 
-/// returns the variance of noise, given equations of which the free terms are eliminated, and in how many values noise is
-/// independent. If that and the expected squares are right, what `Expected_terms` leaves unexplained is on average as
-/// many times the variance as there are such values beyond the free terms; so the variance is sought that fits, from
+/// returns the variance of noise, given equations of which the free terms are eliminated, and in how many values noise
+/// is independent. If that and the expected squares are right, what `Expected_terms` leaves unexplained is on average
+/// as many times the variance as there are such values beyond the free terms; so the variance is sought that fits, from
 /// above. Where values are fewer than terms, more than is expected of these can't but be noise.
 template <int Free, typename Scalar, int Size>
 Scalar noise_beside_expected_terms(const Elimination<Scalar, Size>& beside_free_terms,
@@ -83,8 +83,8 @@ Scalar noise_beside_expected_terms(const Elimination<Scalar, Size>& beside_free_
   // Terms larger than expected mustn't pass for noise, which would damp them: ten times as large ones are taken for
   // likely here. Under noise that changes nothing; without, it halves the error.
   constexpr Scalar generosity = 100; // of squares
-  // Under noise, one round tells as much as any number. Without, each lowers what is left of it. Measured: at a radius of
-  // two edges, eight have half the error of three, and at four 3 % less.
+  // Under noise, one round tells as much as any number. Without, each lowers what is left of it. Measured: at a radius
+  // of two edges, eight have half the error of three, and at four 3 % less.
   constexpr int most_rounds = 8;
   constexpr Scalar little_change = Scalar(0.05);
   for(Scalar& square : expected)
@@ -96,7 +96,8 @@ Scalar noise_beside_expected_terms(const Elimination<Scalar, Size>& beside_free_
   for(int round = 0; round < most_rounds && change > little_change * noise; ++round)
   {
     const Scalar before = noise;
-    noise = Expected_terms<Free, Scalar, Size>(beside_free_terms, expected, std::max(before, least)).unexplained() / count;
+    noise =
+      Expected_terms<Free, Scalar, Size>(beside_free_terms, expected, std::max(before, least)).unexplained() / count;
     change = before - noise;
   }
   const Scalar most = most_noise_beside_all_terms<Free>(beside_free_terms, independent_values);

@@ -18,8 +18,8 @@ namespace CGAL {
 namespace Spider {
 namespace internal {
 
-/// A height field whose terms up to the quadratic ones are as samples tell, and whose others are expected to be as large
-/// as these let expect. Without noise that is the whole polynomial, and with much noise the quadric.
+/// A height field whose terms up to the quadratic ones are as samples tell, and whose others are expected to be as
+/// large as these let expect. Without noise that is the whole polynomial, and with much noise the quadric.
 template <int Degree, typename Scalar>
 class Height_field_fit
 {
@@ -68,8 +68,8 @@ public:
     return noise_ / (noise_ + effect);
   }
 
-  /// returns what there is at a point with the terms that are expected; undetermined where the quadric is, or is bent so
-  /// little that the powers of its curvature vanish.
+  /// returns what there is at a point with the terms that are expected; undetermined where the quadric is, or is bent
+  /// so little that the powers of its curvature vanish.
   Local_field<Scalar> at(Scalar x, Scalar y) const
   {
     if(!expects_)
@@ -104,8 +104,7 @@ public:
     field.derivatives = Basis::derivatives_at(coefficients, Scalar(0), Scalar(0));
     field.residual = std::sqrt(quadric_.unexplained() / sum_of_weights_);
     field.standard_error =
-      std::sqrt(quadric_.unexplained() / independent_values_ *
-                quadric_.variance(mean_of_second_derivatives(0, 0)));
+      std::sqrt(quadric_.unexplained() / independent_values_ * quadric_.variance(mean_of_second_derivatives(0, 0)));
     field.independent_values = independent_values_;
     field.determined = std::isfinite(field.derivatives.xx + field.derivatives.xy + field.derivatives.yy);
     return field;
@@ -130,7 +129,7 @@ private:
   Elimination<Scalar, size> quadric_; ///< as far as samples determine it
   typename Terms::Squares expected_;
   bool expects_ = false; ///< anything
-  Scalar noise_; ///< its variance
+  Scalar noise_;         ///< its variance
 };
 
 } // namespace internal

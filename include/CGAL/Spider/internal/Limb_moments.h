@@ -125,7 +125,7 @@ private:
   static constexpr int term_of_function(int i) { return i < height ? Basis::linear + i : Basis::size; }
   static constexpr int degree(int i) { return Basis::degree(term_of_power(i)); }
 
-  std::array<Values, 2 * Basis::highest_degree + 1> moments_;           ///< of the powers that products have
+  std::array<Values, 2 * Basis::highest_degree + 1> moments_;          ///< of the powers that products have
   std::array<std::array<Values, number_of_powers>, height + 1> mixed_; ///< of powers and functions
   std::array<std::array<Values, height + 1>, height + 1> products_;    ///< of two functions each, a lower triangle
 };

@@ -126,8 +126,8 @@ public:
 
   /// adds a sample at the rim of the faces where complete limbs end, though no farther from these ends than the given
   /// length; it stands for an area and is weighed by that. A limb that turned back just before the radius has it where
-  /// it turned, all of it if that was at the radius: there limbs end that reach it before they turn, and others go on to
-  /// the far side of a fold.
+  /// it turned, all of it if that was at the radius: there limbs end that reach it before they turn, and others go on
+  /// to the far side of a fold.
   void add_rim(Scalar area, const Values& weight_by_area, Scalar radius, Scalar farthest)
   {
     constexpr Scalar just_before = Scalar(0.1); // of the radius
@@ -214,10 +214,10 @@ struct Spider_samples
 
   /// The faces where limbs end reach beyond these, and of all vertices that a spider meets, those there tell most of
   /// curvature under noise. So the rim's samples lie where limbs would leave these faces, half an edge length away at
-  /// most. They weigh as much as segments of 0.7 edge lengths: measured, as the weight at which the variance of curvature
-  /// is least on meshes with noise. Samples at the limbs' ends, which are best as segments of an edge length, leave a
-  /// tenth more error at a radius of four edge lengths. A spider that is smaller than an edge doesn't know what is
-  /// beyond; there the rim stands for no more than the radius.
+  /// most. They weigh as much as segments of 0.7 edge lengths: measured, as the weight at which the variance of
+  /// curvature is least on meshes with noise. Samples at the limbs' ends, which are best as segments of an edge length,
+  /// leave a tenth more error at a radius of four edge lengths. A spider that is smaller than an edge doesn't know what
+  /// is beyond; there the rim stands for no more than the radius.
   void add_rim(Scalar share)
   {
     // On average over its directions a line crosses 2 / pi edges per length and length of edges per area (Crofton), and

@@ -31,8 +31,8 @@ struct Derivatives
 };
 
 /// The terms of a height field z(x, y) up to the fourth degree, by degree: 1, x and y, and
-/// - the curved ones: the quadratic ones by how they turn with the angle, x^2 + y^2, x^2 - y^2 and 2xy, and the monomials
-///   x^3, x^2 y, ... of the degrees that are fitted;
+/// - the curved ones: the quadratic ones by how they turn with the angle, x^2 + y^2, x^2 - y^2 and 2xy, and the
+///   monomials x^3, x^2 y, ... of the degrees that are fitted;
 /// - the harmonic ones, of the others: powers of the distance times cosines and sines of the angle's multiples.
 template <int Degree>
 struct Height_field_basis
