@@ -153,7 +153,8 @@ private:
 
   /// The best linear estimates at two radii differ by what the smaller one has more of noise (Hausman), and beyond that
   /// by bias. Where noise hides the terms of higher degrees, that is of the second order, and half of it is in the step
-  /// from the last rung; where they are told, of the fourth, and three quarters are. That it may turn round at large radii is no reason to believe these.
+  /// from the last rung; where they are told, of the fourth, and three quarters are. That it may turn round at large
+  /// radii is no reason to believe these.
   void tell_bias()
   {
     // Standard errors may be wrong by 15 %, and a mean square over n vertices by two times 1.5 / sqrt(n).

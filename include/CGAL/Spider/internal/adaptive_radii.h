@@ -27,7 +27,7 @@ namespace CGAL {
 namespace Spider {
 namespace internal {
 
-/// returns the variance of mean curvature at a rung, but for a factor: as measured on planes and spheres.
+/// returns the variance of mean curvature at a rung, but for a factor: as measured on noisy planes.
 template <typename Scalar>
 Scalar variance_by_law(int k)
 {

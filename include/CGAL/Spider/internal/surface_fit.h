@@ -6,7 +6,7 @@
 //
 // - It needn't pass through the query point, which is as noisy as any other, and its gradient is free: curvatures come
 //   from its fundamental forms, so the frame may be tilted.
-// - Samples stand for area, and are compared with the mesh that the height field would give (Spider_samples.h).
+// - Samples stand for area, and are compared with the mesh that the height field would give (Bundle_samples.h).
 // - A quadric takes what quartic terms do to the rim for curvature. So terms up to the fourth degree are fitted too, as
 //   far as noise lets (Height_field_fit.h).
 // - At borders and feature edges, where the surface ends on one side, more terms are fitted (One_sided_fit.h).
