@@ -247,7 +247,7 @@ TEST(height_field, expects_the_same_whichever_way_axes_are_turned_and_of_every_d
       for(int i = Basis::quadratic; i < Basis::size; ++i)
         (i < Basis::quartic ? of_cubic : of_quartic) += squares[i - Basis::quadratic] * a[i] * b[i];
       EXPECT_NEAR(of_cubic, std::pow(squared_curvature / 6, 2) * std::pow(std::cos(angle), 3), 1e-12) << angle;
-      EXPECT_NEAR(of_quartic, std::pow(squared_curvature, 3) / 64 * std::pow(std::cos(angle), 4), 1e-12) << angle;
+      EXPECT_NEAR(of_quartic, std::pow(squared_curvature, 3) / 36 * std::pow(std::cos(angle), 4), 1e-12) << angle;
     }
   };
   expect(std::integral_constant<int, 2>());

@@ -141,18 +141,18 @@ double ratio(const Surface& surface) { return error_of_suggested_radii(surface) 
 
 TEST(suggest_adaptive_radii, beat_every_fixed_radius_on_waves_of_two_lengths)
 {
-  EXPECT_LT(ratio(waves_of_two_lengths(0.25, 1)), 1);   // measured 0.985, and 0.983 for another seed
-  EXPECT_LT(ratio(waves_of_two_lengths(0.5, 2)), 1.06); // with much noise they are as good: 1.000 and 1.014
+  EXPECT_LT(ratio(waves_of_two_lengths(0.25, 1)), 1);   // measured 0.962, and 0.985 for another seed
+  EXPECT_LT(ratio(waves_of_two_lengths(0.5, 2)), 1.06); // with much noise they are as good: 0.991 and 1.031
 }
 
 TEST(suggest_adaptive_radii, beat_every_fixed_radius_on_a_gear)
 {
-  EXPECT_LT(ratio(gear(0.25, 1)), 0.95); // measured 0.911, and 0.900 for another seed
+  EXPECT_LT(ratio(gear(0.25, 1)), 0.95); // measured 0.915, and 0.919 for another seed
 }
 
 TEST(suggest_adaptive_radii, beat_every_fixed_radius_on_tips)
 {
-  EXPECT_LT(ratio(tips(0.5, 2)), 1); // measured 0.958, and 0.963 for another seed
+  EXPECT_LT(ratio(tips(0.5, 2)), 1); // measured 0.977, and 0.976 for another seed
 }
 
 TEST(suggest_adaptive_radii, are_small_where_a_surface_bends_at_a_small_scale)

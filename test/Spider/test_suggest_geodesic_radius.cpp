@@ -142,7 +142,7 @@ TEST(suggest_geodesic_radius, is_nearly_as_good_as_the_best_fixed_radius)
   const auto ratio = [](const Surface& surface) {
     return error_of(surface, Spider::suggest_geodesic_radius(surface.mesh)) / error_of_best_fixed_radius(surface);
   };
-  // measured .93, 1.03, .95 and 1.15
+  // measured .92, 1.07, 1.06 and 1.07
   EXPECT_LE(ratio(noisy_graph(saddle, 0.25, 1)), margin * 0.86);
   EXPECT_LE(ratio(noisy_graph(saddle, 1, 1)), margin * 1.03);
   EXPECT_LE(ratio(noisy_graph(waves, 0.25, 1)), margin * 0.99);
@@ -151,7 +151,7 @@ TEST(suggest_geodesic_radius, is_nearly_as_good_as_the_best_fixed_radius)
 
 TEST(suggest_geodesic_radius, grows_with_noise)
 {
-  const std::vector<std::pair<double, double>> measured = {{0, 2}, {0.05, 3.21}, {0.25, 4.39}, {1, 7.12}};
+  const std::vector<std::pair<double, double>> measured = {{0, 2.75}, {0.05, 3.91}, {0.25, 5.44}, {1, 6.8}};
   for(const auto& [noise, radius] : measured)
     EXPECT_NEAR(radius_in_edges(noisy_graph(waves, noise, 1).mesh), radius, 0.1 * radius) << noise;
 }
@@ -189,10 +189,10 @@ TEST(suggest_geodesic_radius, is_the_same_whenever_and_however_it_is_asked_for)
 TEST(suggest_geodesic_radius, takes_the_settings_that_estimates_will_be_made_with)
 {
   const Mesh mesh = noisy_graph(waves, 0, 1).mesh;
-  // More coefficients leave less bias.
+  // With degree 4, facets' sag disturbs no term: without noise, small radii are best.
   const double quadric = Spider::suggest_geodesic_radius(mesh);
   const double quartic = Spider::suggest_geodesic_radius(mesh, params::polynomial_degree(4));
-  EXPECT_GT(quartic, 1.2 * quadric); // measured 1.4
+  EXPECT_GT(quadric, 1.2 * quartic); // measured 1.4
   // Sections tell no standard error.
   const auto of_sections = [](double noise) {
     return Spider::suggest_geodesic_radius(noisy_graph(waves, noise, 1).mesh, params::estimator(Spider::section_fit));

@@ -187,7 +187,7 @@ TEST(surface_fit, a_fold_comes_in_little_by_little_where_it_moves_across_the_rim
     greatest_change = std::max(greatest_change, std::abs(next - last));
     last = next;
   }
-  // Measured: 0.0035; 0.11 if limbs that turn back just before the radius had their rim elsewhere or nowhere.
+  // Measured: 0.0047; 0.11 if limbs that turn back just before the radius had their ends elsewhere or nowhere.
   EXPECT_LE(greatest_change, 0.007);
 }
 

@@ -92,16 +92,16 @@ Scalar noise_beside_expected_terms(const Elimination<Scalar, Size>& beside_free_
   const Scalar count = std::max(independent_values - Free, Scalar(1));
   // Noise isn't below rounding, so that what is flat but for rounding is told from what is bent.
   const Scalar least = std::numeric_limits<Scalar>::epsilon() * beside_free_terms.squared_values() / count;
-  Scalar noise = beside_free_terms.unexplained() / count, change = noise;
+  const Scalar most = most_noise_beside_all_terms<Free>(beside_free_terms, independent_values);
+  Scalar noise = std::max(std::min(beside_free_terms.unexplained() / count, most), least), change = noise;
   for(int round = 0; round < most_rounds && change > little_change * noise; ++round)
   {
     const Scalar before = noise;
-    noise =
-      Expected_terms<Free, Scalar, Size>(beside_free_terms, expected, std::max(before, least)).unexplained() / count;
+    const Expected_terms<Free, Scalar, Size> terms(beside_free_terms, expected, before);
+    noise = std::max(std::min(terms.unexplained() / count, before), least);
     change = before - noise;
   }
-  const Scalar most = most_noise_beside_all_terms<Free>(beside_free_terms, independent_values);
-  return std::max(std::min(noise, most), least);
+  return noise;
 }
 
 } // namespace internal

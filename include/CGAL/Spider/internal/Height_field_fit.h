@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 namespace CGAL {
 namespace Spider {
@@ -33,16 +32,8 @@ public:
 
   /// takes the normal equations, and in how many values noise is independent.
   Height_field_fit(const Equations& equations, Scalar independent_values)
-    : Height_field_fit(equations, independent_values, std::numeric_limits<Scalar>::quiet_NaN())
-  {
-    if(expects_)
-      noise_ = noise_beside_expected_terms<free>(quadric_, expected_, independent_values);
-  }
-
-  /// takes the variance of noise too.
-  Height_field_fit(const Equations& equations, Scalar independent_values, Scalar noise)
     : sum_of_weights_(equations.products[Basis::constant][Basis::constant]), independent_values_(independent_values),
-      quadric_(equations), noise_(noise)
+      quadric_(equations)
   {
     quadric_.eliminate(0, free);
     for(int i = 0; i < free; ++i)
@@ -52,9 +43,9 @@ public:
     constexpr Scalar most = 1; // in units of the radius
     expected_ = Basis::expected_squares(std::min(Basis::squared_curvature(quadric_.coefficients()), most));
     expects_ = expected_.back() > 0;
+    if(expects_)
+      noise_ = noise_beside_expected_terms<free>(quadric_, expected_, independent_values);
   }
-
-  Scalar noise() const { return noise_; }
 
   /// returns which share noise has in what the quadric neglects, and quartic terms don't; all of it where these aren't
   /// expected.
@@ -129,7 +120,7 @@ private:
   Elimination<Scalar, size> quadric_; ///< as far as samples determine it
   typename Terms::Squares expected_;
   bool expects_ = false; ///< anything
-  Scalar noise_;         ///< its variance
+  Scalar noise_ = 0;     ///< its variance
 };
 
 } // namespace internal

@@ -128,7 +128,7 @@ private:
     const Values middle_share = (smaller((begin - from) * inverse, share) + share) * Values(Scalar(0.5));
     const Values gain = select(growing_, larger(arrived - begin, zero), zero);
     const Segments<Scalar> segments{
-      at_.source, at_.target, crossing, share, gain, middle_share, y_ + middle_share * y_step, exit};
+      at_.source, at_.target, crossing, share, gain, middle_share, y_ + middle_share * y_step, y_, exit};
 
     y_ = y_ + share * y_step;
     z_ = z_ + share * z_step;

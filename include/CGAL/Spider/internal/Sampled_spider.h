@@ -79,24 +79,24 @@ public:
   const Spider_extent<Scalar>& extent(std::size_t k) const { return samples_[k].extent; }
   const Reached_area<Scalar>& area(std::size_t k) const { return areas_[k]; }
 
-  /// fits the samples up to the `k`-th radius, once. Weight on the rim is against noise: where terms that a quadric
-  /// neglects matter more than noise does, it is withdrawn.
+  /// fits the samples up to the `k`-th radius, once.
   Height_field_fit<Degree, Scalar> fit(std::size_t k)
   {
-    const auto without_rim = samples_[k].equations(directions_);
-    const Height_field_fit<Degree, Scalar> first(without_rim, independent_values(k, without_rim));
-    samples_[k].add_rim(first.share_of_noise());
-    const auto equations = samples_[k].equations(directions_);
-    return {equations, independent_values(k, equations), first.noise()};
+    // Limbs' ends have their weight against noise. Higher degrees are for meshes without: where what a quadric neglects
+    // matters more than noise does, that weight is withdrawn, and errors are a quarter smaller.
+    const Scalar share = Degree == 2 ? Scalar(1) : height_field(k).share_of_noise();
+    samples_[k].add_ends(share);
+    return height_field(k);
   }
 
 private:
-  /// returns in how many values the noise in equations is independent.
-  Scalar independent_values(std::size_t k, const Normal_equations<Scalar, Basis::size>& equations) const
+  /// fits the samples that there are.
+  Height_field_fit<Degree, Scalar> height_field(std::size_t k) const
   {
+    const auto equations = samples_[k].equations(directions_);
     const Scalar sum_of_weights = equations.products[Basis::constant][Basis::constant];
     const Scalar angle_between_limbs = Scalar(2 * CGAL_PI) / directions_.number_of_limbs;
-    return samples_[k].sizes().independent_values(sum_of_weights, angle_between_limbs);
+    return {equations, samples_[k].sizes().independent_values(sum_of_weights, angle_between_limbs)};
   }
 
   /// calls `walk(limbs, bundle)` for all bundles of limbs.
@@ -126,7 +126,7 @@ private:
   void note_end(const Limb_bundle<View>& limbs, std::size_t bundle, int lane, std::size_t k, Scalar to_reach)
   {
     const Limb_end end = limbs.end(lane);
-    samples_[k].bundles[bundle].end_lane(lane, limbs.end_along_direction()[lane], end == radius_reached);
+    samples_[k].bundles[bundle].set_reach(lane, to_reach * shares_[k]);
     if(lane >= directions_.limbs_in_bundle(bundle))
       return;
     const Scalar reached = limbs.reached(lane) / shares_[k];

@@ -22,7 +22,7 @@ struct Segments
   Lanes<Scalar> gain;                        ///< how much farther it gets than before, by the limb's measure
   Lanes<Scalar> middle_share;                ///< how much of the way leads to the middle of that
   Lanes<Scalar> middle;                      ///< how far along the limb's direction the middle of that is
-  Lanes<Scalar> exit;                        ///< how far along it the crossing is, where the way ends
+  Lanes<Scalar> start, exit;                 ///< how far along it the way starts, and where it ends at the crossing
 };
 
 } // namespace internal

@@ -85,9 +85,10 @@ struct Height_field_basis
 
   /// returns the squares that let expect the coefficients of all terms above the quadratic ones to have. Along a line in
   /// any direction, cubic ones are of k^2 / 6, as if curvature changed by itself over its own radius, and quartic ones are
-  /// of k^3 / 8, as the circle z = k x^2 / 2 + k^3 x^4 / 8 + ... has. What is expected is the same whichever way axes are
-  /// turned: cos^3 and cos^4 of the angle between two directions tell how what is along one goes with what is along the
-  /// other, hence the coefficients of these, as powers of sums or as sums of cosines of multiples.
+  /// of k^3 / 6: a third more than the circle z = k x^2 / 2 + k^3 x^4 / 8 + ... has, which does better with noise.
+  /// What is expected is the same whichever way axes are turned: cos^3 and cos^4 of the angle between two directions tell
+  /// how what is along one goes with what is along the other, hence the coefficients of these, as powers of sums or as
+  /// sums of cosines of multiples.
   template <typename Scalar>
   static std::array<Scalar, size - quadratic> expected_squares(Scalar squared_curvature)
   {
@@ -96,7 +97,7 @@ struct Height_field_basis
     constexpr Cubic cubic = fitted > quadratic ? Cubic{1, 3, 3, 1} : Cubic{.75, .75, .25, .25};
     constexpr Quartic quartic = fitted == size ? Quartic{1, 4, 6, 4, 1} : Quartic{.375, .5, .5, .125, .125};
     const Scalar square_of_cubic = squared_curvature * squared_curvature / 36;
-    const Scalar square_of_quartic = squared_curvature * squared_curvature * squared_curvature / 64;
+    const Scalar square_of_quartic = squared_curvature * squared_curvature * squared_curvature / 36;
     std::array<Scalar, size - quadratic> squares;
     for(std::size_t i = 0; i < cubic.size(); ++i)
       squares[i] = cubic[i] * square_of_cubic;
