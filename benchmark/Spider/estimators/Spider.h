@@ -11,7 +11,6 @@
 #include <CGAL/Spider/suggest_adaptive_radii.h>
 #include <CGAL/Spider/suggest_geodesic_radius.h>
 
-#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -72,45 +71,51 @@ inline std::unique_ptr<Estimator> spider(unsigned int degree)
                      parameters::estimator(surface_fit).polynomial_degree(degree));
 }
 
-// The library's defaults at the radius that it suggests, not at the one that is given.
-class Spider_at_suggested_radius : public Estimator
+// The library's defaults at the radii that it suggests for the vertices of a mesh, not at the one that is given.
+class Spider_at_suggested_radii : public Estimator
 {
 public:
-  std::string name() const override { return "spider_suggested"; }
+  using Radii = std::vector<double>;
+  using Suggestion = Radii (*)(const Mesh&);
+
+  Spider_at_suggested_radii(std::string name, std::string function, Suggestion suggestion)
+    : m_name(std::move(name)), m_function(std::move(function)), m_suggestion(suggestion)
+  {}
+
+  std::string name() const override { return m_name; }
   std::string settings() const override
   {
-    return "Spider's surface_fit with the library's defaults at the radius that suggest_geodesic_radius() tells";
+    return "Spider's surface_fit with the library's defaults at what " + m_function + "() suggests";
   }
   bool uses_radius() const override { return false; }
 
   void estimate(const Mesh& mesh, double, std::vector<Estimate>& out) const override
   {
-    const double suggested = suggest_geodesic_radius(mesh);
-    out.assign(mesh.num_vertices(), Estimate());
-    if(!std::isnan(suggested)) // as it is for a mesh without faces
-      estimate_by_spider(mesh, parameters::geodesic_radius(suggested), out);
-  }
-};
-
-// The same at a radius of each vertex's own.
-class Spider_at_adaptive_radii : public Estimator
-{
-public:
-  std::string name() const override { return "spider_adaptive"; }
-  std::string settings() const override
-  {
-    return "Spider's surface_fit with the library's defaults at the radii that suggest_adaptive_radii() tells";
-  }
-  bool uses_radius() const override { return false; }
-
-  void estimate(const Mesh& mesh, double, std::vector<Estimate>& out) const override
-  {
-    std::vector<double> radii(mesh.num_vertices());
+    const Radii radii = m_suggestion(mesh);
     const auto map = boost::make_iterator_property_map(radii.begin(), get(boost::vertex_index, mesh));
-    suggest_adaptive_radii(mesh, map);
     estimate_by_spider(mesh, parameters::geodesic_radius(map), out);
   }
+
+private:
+  std::string m_name, m_function;
+  Suggestion m_suggestion;
 };
+
+inline std::unique_ptr<Estimator> spider_at_suggested_radius()
+{
+  return std::make_unique<Spider_at_suggested_radii>(
+    "spider_suggested", "suggest_geodesic_radius",
+    [](const Mesh& mesh) { return std::vector<double>(mesh.num_vertices(), suggest_geodesic_radius(mesh)); });
+}
+
+inline std::unique_ptr<Estimator> spider_at_adaptive_radii()
+{
+  return std::make_unique<Spider_at_suggested_radii>("spider_adaptive", "suggest_adaptive_radii", [](const Mesh& mesh) {
+    std::vector<double> radii(mesh.num_vertices());
+    suggest_adaptive_radii(mesh, boost::make_iterator_property_map(radii.begin(), get(boost::vertex_index, mesh)));
+    return radii;
+  });
+}
 
 inline std::unique_ptr<Estimator> spider_as_published()
 {

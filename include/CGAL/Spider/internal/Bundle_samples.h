@@ -4,9 +4,8 @@
 
 // What the samples of limbs in lockstep leave behind for `surface_fit`: sums of powers, limb by limb in lanes.
 //
-// - A sample at the distance y is weighed by y, so that every piece of area counts the same. Limbs' ends weigh more,
-// and
-//   the faces' slopes there count too.
+// - A sample at the distance y is weighed by y, so that every piece of area counts the same. Limbs' ends weigh more, and
+//   the slopes of the faces there count too.
 // - Facets sag below the surface that they stand for. So a sample isn't compared with the height field, but with the
 //   mesh that one would get by moving the vertices onto the height field: the terms are interpolated along edges and
 //   along the limb as heights are. A mesh of an exact polynomial of the fitted degree gives that polynomial.
