@@ -118,17 +118,16 @@ private:
   }
 
   /// Standard errors are those of noise and of whatever else the fits leave over, so they are no more than upper
-  /// bounds. From one rung to the next, noise falls by three tenths or more, even where more is told of terms of higher
-  /// degrees meanwhile. And on the first rung, of two edges, there is no more than its step
-  /// shows, of which at least two thirds are gone on the next one. Estimators that tell no standard errors are bound by
-  /// the steps alone, and by a fall to a quarter.
+  /// bounds. On the first rung, of two edges, there is no more than its step shows, of which at least two thirds are
+  /// gone on the next one. From there on noise falls by three tenths or more, even where more is told of terms of higher
+  /// degrees meanwhile. Estimators that tell no standard errors are bound by the steps alone, and by a fall to a quarter.
   void tell_noise()
   {
     constexpr Scalar least_fall = Scalar(0.7), untold_fall = Scalar(0.25), left_by_step = Scalar(1) / 3;
     for(int k = 0; k < rungs_; ++k)
     {
       const std::optional<Scalar> told = squared_standard_error(k);
-      const Scalar fall = told ? least_fall : untold_fall;
+      const Scalar fall = !told ? untold_fall : k == 1 ? left_by_step : least_fall;
       const Scalar bound = k == 0 ? steps_[0] / (1 - left_by_step) : fall * noise_[k - 1];
       noise_[k] = told ? std::min(*told, bound) : bound;
     }
@@ -152,19 +151,22 @@ private:
   }
 
   /// The best linear estimates at two radii differ by what the smaller one has more of noise (Hausman), and beyond that
-  /// by bias. Where noise hides the terms of higher degrees, that is of the second order, and half of it is in the step
-  /// from the last rung; where they are told, of the fourth, and three quarters are. That it may turn round at large
-  /// radii is no reason to believe these.
+  /// by bias: at each rung it is the sum of the steps up to there. That it may turn round is no reason to believe large
+  /// radii. The rungs whose steps noise hides have some as well: a third of the first step that noise doesn't hide, where
+  /// terms of higher degrees are told and bias is of the fourth order; all of that step where they aren't, and it is of
+  /// the second.
   void tell_bias()
   {
     // Standard errors may be wrong by 15 %, and a mean square over n vertices by two times 1.5 / sqrt(n).
     const Scalar tolerance = Scalar(1.15) + 3 / std::sqrt(static_cast<Scalar>(samples_.size()));
-    constexpr Scalar per_step = 3; // between 4 and 16 / 9, their squares' inverses
-    bias_[0] = 0;
+    constexpr Scalar hidden = Scalar(0.5); // between a third and all
+    Scalar bias = bias_[0] = 0;
     for(int k = 1; k < rungs_; ++k)
     {
       const Scalar excess = steps_[k - 1] - tolerance * (noise_[k - 1] - noise_[k]);
-      bias_[k] = std::max(bias_[k - 1], per_step * excess);
+      const Scalar step = std::sqrt(std::max(excess, Scalar(0)));
+      bias += bias > 0 ? step : (1 + hidden) * step;
+      bias_[k] = bias * bias;
     }
   }
 
