@@ -119,8 +119,9 @@ private:
 
   /// Standard errors are those of noise and of whatever else the fits leave over, so they are no more than upper
   /// bounds. On the first rung, of two edges, there is no more than its step shows, of which at least two thirds are
-  /// gone on the next one. From there on noise falls by three tenths or more, even where more is told of terms of higher
-  /// degrees meanwhile. Estimators that tell no standard errors are bound by the steps alone, and by a fall to a quarter.
+  /// gone on the next one. From there on noise falls by three tenths or more, even where more is told of terms of
+  /// higher degrees meanwhile. Estimators that tell no standard errors are bound by the steps alone, and by a fall to a
+  /// quarter.
   void tell_noise()
   {
     constexpr Scalar least_fall = Scalar(0.7), untold_fall = Scalar(0.25), left_by_step = Scalar(1) / 3;
