@@ -32,6 +32,21 @@ auto geodesic_radii(const T& radii);
 /*!
 \ingroup PkgSpiderParameters
 
+by how much limbs are longer along one direction than across it: a model of `ReadablePropertyMap` from vertices to vectors of any kernel; in `suggest_adaptive_radii()`, which finds them, a model of `WritablePropertyMap`.
+
+Along its vector a limb reaches the `geodesic_radius`, across it as many times less as the vector is long, and in between it ends at an ellipse. So no limb reaches farther than the radius. A vector counts by its part in the tangent plane and has no sign; one that isn't longer than 1, or isn't finite, stands for a disc, and lengths above 8 count as 8. `section_fit` refuses longer ones than 1.
+
+<b>Default:</b> none: limbs reach equally far in all directions. Paper, section 4, where it is future work.
+
+\param map the map
+\return a chain of named parameters
+*/
+template <typename T>
+auto limb_elongation_map(const T& map);
+
+/*!
+\ingroup PkgSpiderParameters
+
 how many directions are spaced regularly over a half turn; each has two limbs.
 
 <b>Default:</b> 2.5 for each mean edge length of the radius, at least 16; with `section_fit` and in tracing 64 (paper, 2.6); in smoothing 16. Time grows linearly with it. Fewer than the default cost accuracy, more gain nothing that was measurable.

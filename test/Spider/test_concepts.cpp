@@ -90,6 +90,11 @@ TEST(concepts, archetypes_can_be_labelled_drawn_on_and_smoothed)
   radii.clear();
   Spider::suggest_adaptive_radii(graph, archetypes::Writable_map<Graph::Vertex, double>(radii));
   EXPECT_EQ(radii.size(), vertices(graph).size());
+  std::map<Graph::Vertex, archetypes::Kernel::Vector_3> elongations;
+  const archetypes::Writable_map<Graph::Vertex, archetypes::Kernel::Vector_3> elongation_map(elongations);
+  Spider::suggest_adaptive_radii(graph, archetypes::Writable_map<Graph::Vertex, double>(radii),
+                                 params::limb_elongation_map(elongation_map));
+  EXPECT_EQ(elongations.size(), vertices(graph).size());
 
   const archetypes::Readable_map<Graph::Vertex, Estimate_of_archetype> curvature(
     [&](const Graph::Vertex& v) { return Spider::estimate_curvature(v, graph); });

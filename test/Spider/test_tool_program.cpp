@@ -334,6 +334,8 @@ TEST(Tool_program, suggests_a_radius)
   EXPECT_LT(adaptive["least"], adaptive["greatest"]);
   EXPECT_GE(adaptive["least"], 2 * 0.13); // of 2 to 8 edges
   EXPECT_LE(adaptive["greatest"], 8 * 0.16);
+  const auto limbs = spider(sphere_file() + " -q --json --suggest-adaptive-limbs").json()["runs"][0]["radius"];
+  EXPECT_GE(limbs["greatest"], adaptive["greatest"]); // of ellipses, their longer axes
 }
 
 TEST(Tool_program, draws_isolines)

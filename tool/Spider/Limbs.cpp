@@ -42,7 +42,7 @@ std::vector<Limbs> trace_limbs(const Mesh& mesh, const std::vector<Estimate>& es
     Limbs& spider = result.back();
     if(std::isnan(estimates[v].normal.x()))
       continue;
-    with_parameters(radius_of_vertex, settings.estimation, attributes, [&](const auto& np) {
+    with_parameters(radius_parameters(radius_of_vertex), settings.estimation, attributes, [&](const auto& np) {
       Spider::trace_limbs(Vertex(v), estimates[v].normal, mesh, std::back_inserter(spider.limbs), np);
     });
     for(const auto& limb : spider.limbs)

@@ -38,6 +38,7 @@ struct Radius_settings
   bool is_suggested = false;
   bool is_suggested_by_vertex = false;
   bool is_adaptive = false;
+  bool adapts_by_direction = false;
 };
 
 struct Smoothing_settings

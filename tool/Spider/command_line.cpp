@@ -87,12 +87,14 @@ void add_radius_options(CLI::App& app, Radius_settings& radius)
                                  "The same for each vertex, by how dense vertices are around it");
   auto* adaptive = app.add_flag("--suggest-adaptive-radii", radius.is_adaptive,
                                 "The same for each vertex, small where the surface bends at a small scale");
+  auto* limbs = app.add_flag("--suggest-adaptive-limbs", radius.adapts_by_direction,
+                             "The same, and limbs are longer along ridges than across");
   auto* of_file = app
                     .add_option("--radius-by-vertex", radius.by_vertex,
                                 "A text file with a length for each vertex, or a CSV file with a\ncolumn radius, as "
                                 "--output writes it")
                     ->type_name("FILE");
-  const std::vector<CLI::Option*> all = {lengths, in_edges, suggested, by_vertex, adaptive, of_file};
+  const std::vector<CLI::Option*> all = {lengths, in_edges, suggested, by_vertex, adaptive, limbs, of_file};
   for(auto* option : all)
   {
     option->group("Radius (one of)");

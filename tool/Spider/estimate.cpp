@@ -35,14 +35,14 @@ std::string short_number(double value)
 
 Radius constant_radius(const std::string& name, const Mesh& mesh, double length)
 {
-  return {name, std::vector<double>(mesh.num_vertices(), length)};
+  return {name, std::vector<double>(mesh.num_vertices(), length), {}};
 }
 
 // The column radius of a CSV file, as --output writes one, or the numbers of a text file.
 Radius radius_of_file(const std::string& file, const Mesh& mesh)
 {
-  Radius radius{"by_vertex",
-                boost::algorithm::iends_with(file, ".csv") ? read_column(file, "radius") : read_numbers(file)};
+  Radius radius{
+    "by_vertex", boost::algorithm::iends_with(file, ".csv") ? read_column(file, "radius") : read_numbers(file), {}};
   check_count(file, radius.of_vertex, mesh.num_vertices(), "vertices");
   for(double length : radius.of_vertex)
     if(length <= 0 || std::isinf(length)) // NaN is what a suggestion leaves where there are no edges
@@ -64,11 +64,18 @@ Radius suggested_radius(const Mesh& mesh, const Settings& settings, const Mesh_a
   const std::vector<double> unused(mesh.num_vertices(), 1);
   if(settings.radius.is_suggested)
     return constant_radius("suggested", mesh,
-                           with_parameters(unused, settings.estimation, attributes,
+                           with_parameters(radius_parameters(unused), settings.estimation, attributes,
                                            [&](const auto& np) { return suggest_geodesic_radius(mesh, np); }));
-  Radius radius{"suggested", std::vector<double>(mesh.num_vertices())};
-  with_parameters(unused, settings.estimation, attributes, [&](const auto& np) {
-    const Array_map<Vertex, double> map{radius.of_vertex.data()};
+  Radius radius{"suggested", std::vector<double>(mesh.num_vertices()), {}};
+  const Array_map<Vertex, double> map{radius.of_vertex.data()};
+  if(settings.radius.adapts_by_direction)
+  {
+    radius.elongations.resize(mesh.num_vertices());
+    with_parameters(limb_parameters(unused, radius.elongations), settings.estimation, attributes,
+                    [&](const auto& np) { suggest_adaptive_radii<CGAL::Parallel_if_available_tag>(mesh, map, np); });
+    return radius;
+  }
+  with_parameters(radius_parameters(unused), settings.estimation, attributes, [&](const auto& np) {
     if(settings.radius.is_adaptive)
       suggest_adaptive_radii<CGAL::Parallel_if_available_tag>(mesh, map, np);
     else
@@ -77,10 +84,9 @@ Radius suggested_radius(const Mesh& mesh, const Settings& settings, const Mesh_a
   return radius;
 }
 
-Run<Estimate> estimate(const Mesh& mesh, const Radius& radius, const Settings& settings,
-                       const Mesh_attributes& attributes)
+Run<Estimate> estimate(const Mesh& mesh, Radius radius, const Settings& settings, const Mesh_attributes& attributes)
 {
-  return with_parameters(radius.of_vertex, settings.estimation, attributes, [&](const auto& np) {
+  const auto run_with = [&](const auto& np) {
     Run<Estimate> run{std::vector<Estimate>(mesh.num_vertices()), 0};
     CGAL::Real_timer preparation;
     preparation.start();
@@ -92,7 +98,11 @@ Run<Estimate> estimate(const Mesh& mesh, const Radius& radius, const Settings& s
       return [&, worker = estimator.worker()](Vertex v) mutable { run.answers[v] = worker(v); };
     });
     return run;
-  });
+  };
+  if(radius.elongations.empty())
+    return with_parameters(radius_parameters(radius.of_vertex), settings.estimation, attributes, run_with);
+  return with_parameters(limb_parameters(radius.of_vertex, radius.elongations), settings.estimation, attributes,
+                         run_with);
 }
 
 } // namespace
@@ -112,7 +122,7 @@ std::vector<Radius> choose_radii(const Mesh& mesh, const Settings& settings, con
   const Radius_settings& given = settings.radius;
 
   std::vector<Radius> radii;
-  if(given.is_suggested || given.is_suggested_by_vertex || given.is_adaptive)
+  if(given.is_suggested || given.is_suggested_by_vertex || given.is_adaptive || given.adapts_by_direction)
     radii.push_back(suggested_radius(mesh, settings, attributes));
   if(!given.by_vertex.empty())
     radii.push_back(radius_of_file(given.by_vertex, mesh));

@@ -19,8 +19,9 @@ namespace tool {
 // How far limbs grow from each vertex.
 struct Radius
 {
-  std::string name;              // a number for people, and what tells several radii's columns apart
-  std::vector<double> of_vertex; // all the same unless they are given or suggested by vertex
+  std::string name;                          // a number for people, and what tells several radii's columns apart
+  std::vector<double> of_vertex;             // all the same unless they are given or suggested by vertex
+  std::vector<Kernel::Vector_3> elongations; // where limbs adapt by direction
 };
 
 double mean_edge_length(const Mesh& mesh);

@@ -13,21 +13,30 @@ namespace CGAL {
 namespace Spider {
 namespace tool {
 
-// returns what `action` does of the named parameters that the settings stand for. What a chain holds is fixed when the
-// program is compiled, so the documented defaults are spelled out, apart from the number of directions, which depends
-// on the radius.
-template <typename Action>
-auto with_parameters(const std::vector<double>& radius_of_vertex, const Estimation_settings& settings,
-                     const Mesh_attributes& attributes, const Action& action)
+inline auto radius_parameters(const std::vector<double>& of_vertex)
 {
-  namespace params = Spider::parameters;
+  return parameters::geodesic_radius(Array_map<Vertex, const double>{of_vertex.data()});
+}
 
+// `elongations` may be written.
+inline auto limb_parameters(const std::vector<double>& radius_of_vertex, std::vector<Kernel::Vector_3>& elongations)
+{
+  return radius_parameters(radius_of_vertex)
+    .limb_elongation_map(Array_map<Vertex, Kernel::Vector_3>{elongations.data()});
+}
+
+// returns what `action` does of some named parameters and of those that the settings stand for. What a chain holds is
+// fixed when the program is compiled, so the documented defaults are spelled out, apart from the number of directions,
+// which depends on the radius.
+template <typename NamedParameters, typename Action>
+auto with_parameters(const NamedParameters& np, const Estimation_settings& settings, const Mesh_attributes& attributes,
+                     const Action& action)
+{
   const bool published = settings.as_published;
   const Estimator estimator = settings.estimator.value_or(published ? section_fit : surface_fit);
   const bool by_sections = estimator == section_fit;
   const auto chain =
-    params::geodesic_radius(Array_map<Vertex, const double>{radius_of_vertex.data()})
-      .estimator(estimator)
+    np.estimator(estimator)
       .limb_measure(settings.limb_measure.value_or(published || by_sections ? arc_length : tangential_distance))
       .polynomial_degree(settings.polynomial_degree.value_or(2))
       .resampling_step(settings.resampling_step.value_or(0.1))

@@ -28,7 +28,7 @@ KNOWN = {  # names of others that the documents mention
 }
 
 OPTIONS = {  # of the program spider, where they aren't named as the parameter is: what maps give comes from files
-    "geodesic_radii": "geodesic-radius", "growth_cost_map": "growth-costs", "vertex_normal_map": "vertex-normals",
+    "geodesic_radii": "geodesic-radius", "growth_cost_map": "growth-costs", "limb_elongation_map": "suggest-adaptive-limbs", "vertex_normal_map": "vertex-normals",
     "edge_is_constrained_map": "constrained-edges", "vertex_is_constrained_map": "constrained-vertices",
 }
 CGALS_PARAMETERS = ("number_of_iterations", "vertex_normal_map", "edge_is_constrained_map", "vertex_is_constrained_map")

@@ -95,6 +95,9 @@ public:
       const Normal normal = estimator_.first_normal(site);
       site.reference = internal::continuous_reference(estimator_.mesh_, site, normal,
                                                       estimator_.options_.number_of_directions_at(radius));
+      if(!estimator_.elongations_.empty())
+        site.shortening = internal::interpolate(
+          site, [&](std::uint32_t v) { return internal::shortening_across(estimator_.elongations_[v]); });
       return internal::estimate_at<Inputs>(site, radius, estimator_.several_radii_, normal, engine_);
     }
 
@@ -146,6 +149,10 @@ private:
         radii_.push_back(inputs.radius_at(vertices_[v]));
     else if(vertices_.size() > 0)
       radii_.push_back(inputs.radius_at(vertices_[0]));
+
+    if constexpr(Inputs::has_elongations)
+      for(std::size_t v = 0; v < vertices_.size(); ++v)
+        elongations_.push_back(inputs.elongation_at(vertices_[v]));
 
     if constexpr(Inputs::has_given_normals)
       for(std::size_t v = 0; v < vertices_.size(); ++v)
@@ -199,6 +206,7 @@ private:
   Snapshot mesh_;
   internal::Radius_list<Scalar> several_radii_;
   std::vector<Scalar> radii_;   ///< one for all, or one per vertex
+  std::vector<Normal> elongations_; ///< of limbs, per vertex; or none
   std::vector<Normal> normals_; ///< per vertex; none if they are found where they are needed
 };
 

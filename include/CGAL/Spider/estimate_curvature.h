@@ -107,6 +107,15 @@ size of the mesh.
     from the first one. All radii start from the same normal, that of their extremes' geometric mean, and have the
     directions of the largest, so that answers differ a little from those of one radius at a time}
   \cgalParamNEnd
+  \cgalParamNBegin{limb_elongation_map}
+    \cgalParamDescription{vectors along which limbs reach the radius, while across they reach as many times less as these are
+    long, and an ellipse in between}
+    \cgalParamType{a readable property map from vertices to vectors of any kernel; vectors of lengths up to 1, or that aren't
+    finite, stand for a disc, and those above 8 count as 8}
+    \cgalParamDefault{none: limbs reach equally far}
+    \cgalParamExtra{`suggest_adaptive_radii()` finds them, together with the radii; with `section_fit` none may be longer than
+    1; several `geodesic_radii` are then walked to one by one}
+  \cgalParamNEnd
   \cgalParamNBegin{number_of_directions}
     \cgalParamDescription{number of directions, spaced regularly over a half turn, with two limbs each}
     \cgalParamType{an integer from 3 to 65536; with `section_fit` an even one from 2}
@@ -209,6 +218,8 @@ auto estimate_curvature(const Query& query,
   const auto normal = internal::first_normal_of_query(inputs, at);
   at.site.reference = internal::continuous_reference(inputs.view, at.site, normal,
                                                      inputs.options.number_of_directions_at(at.radius));
+  if constexpr(Inputs::has_elongations)
+    at.site.shortening = internal::interpolate(at.site, [&](auto v) { return internal::shortening_across(inputs.elongation_at(v)); });
   internal::Estimator_engine<typename Inputs::View> engine(inputs.view, inputs.options);
   return internal::estimate_at<Inputs>(at.site, at.radius, inputs.radii, normal, engine);
 }

@@ -55,6 +55,7 @@ enum Line_motion
 #define CGAL_SPIDER_FOR_EACH_PARAMETER(DO) \
   DO(geodesic_radius)                      \
   DO(geodesic_radii)                       \
+  DO(limb_elongation_map)                  \
   DO(number_of_directions)                 \
   DO(estimator)                            \
   DO(limb_measure)                         \

@@ -5,12 +5,13 @@
 #ifndef CGAL_SPIDER_SUGGEST_ADAPTIVE_RADII_H
 #define CGAL_SPIDER_SUGGEST_ADAPTIVE_RADII_H
 
-#include <CGAL/Spider/internal/adaptive_radii.h>
+#include <CGAL/Spider/internal/adaptive_limbs.h>
 #include <CGAL/Spider/suggest_geodesic_radius.h>
 
 #include <boost/property_map/property_map.hpp>
 
 #include <cstdint>
+#include <type_traits>
 
 namespace CGAL {
 namespace Spider {
@@ -27,6 +28,11 @@ Noise is told by what the answers of the smallest radii differ by where the surf
 up to four times as long as others' share it. What answers differ by in a neighbourhood beyond that is blurring. The user
 manual has the algebra, and where it is better than any one radius, and where it isn't.
 
+Given a `limb_elongation_map`, limbs adapt by direction, too: along a ridge they may be longer than across it. It takes a
+vector for each vertex, as the functions that estimate curvature read it: along it limbs are up to twice as long as across.
+An ellipse has the area of the disc that it is in place of, so that radii, which are those of the longest limbs, are up to
+1.42 times as large as without. Radii and vectors go together: give the functions that estimate both.
+
 It takes linear time: see the user manual for how much.
 
 \tparam ConcurrencyTag `CGAL::Sequential_tag` (the default), `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`;
@@ -39,7 +45,8 @@ It takes linear time: see the user manual for how much.
 \param vertex_radius_map takes the radii; if it is readable too, it is what `geodesic_radius()` may be given. A vertex
 gets NaN where it has no edges of finite, positive length
 \param np an optional sequence of named parameters, those that `estimate_curvature()` will be called with; a
-`geodesic_radius` among them is of no effect
+`geodesic_radius` among them is of no effect, and a `limb_elongation_map`, a model of `WritablePropertyMap` from vertices to
+vectors, is written
 
 \throw std::invalid_argument if a parameter is out of its range, or a face isn't a triangle
 */
@@ -54,12 +61,22 @@ void suggest_adaptive_radii(const TriangleMesh& tmesh,
   using Ladder = internal::Radius_ladder<TriangleMesh, NamedParameters>;
   using Scalar = typename Ladder::Scalar;
   using FT = typename boost::property_traits<VertexRadiusMap>::value_type;
+  const auto elongation_map = parameters::get_parameter(np, internal_np::limb_elongation_map);
+  using Elongation_map = std::decay_t<decltype(elongation_map)>;
+  constexpr bool elongate = internal::is_given<Elongation_map>;
 
   const Ladder ladder(tmesh, np);
-  const auto radii =
-    internal::adaptive_radii<ConcurrencyTag>(ladder, static_cast<Scalar>(internal::undecided_radius_in_edges));
-  for(std::uint32_t v = 0; v < radii.size(); ++v)
-    put(vertex_radius_map, ladder.vertex(v), static_cast<FT>(radii[v]));
+  const auto limbs = internal::adaptive_limbs<ConcurrencyTag>(
+    ladder, static_cast<Scalar>(internal::undecided_radius_in_edges), elongate);
+  for(std::uint32_t v = 0; v < limbs.radii.size(); ++v)
+  {
+    put(vertex_radius_map, ladder.vertex(v), static_cast<FT>(limbs.radii[v]));
+    if constexpr(elongate)
+    {
+      using Vector = typename boost::property_traits<Elongation_map>::value_type;
+      put(elongation_map, ladder.vertex(v), internal::from_vec3<Vector>(limbs.elongations[v]));
+    }
+  }
 }
 
 } // namespace Spider

@@ -107,6 +107,7 @@ public:
   static constexpr bool has_radii = is_given<Given<Spider::internal_np::geodesic_radii_t>>;
   static_assert(!(has_radius && has_radii), "Spider: give geodesic_radius or geodesic_radii, not both");
   static constexpr bool has_given_normals = is_given<Given<CGAL::internal_np::vertex_normal_map_t>>;
+  static constexpr bool has_elongations = is_given<Given<Spider::internal_np::limb_elongation_map_t>>;
 
   /// `default_estimator` is the one whose defaults hold where no estimator is named.
   Mesh_inputs(const TriangleMesh& tmesh, const NamedParameters& np, Estimator default_estimator,
@@ -138,6 +139,17 @@ public:
   Vec3<Scalar> given_normal_at(Vertex v) const
   {
     return unit(to_vec3<Scalar>(get(parameters::get_parameter(np_, Spider::internal_np::vertex_normal_map), v)));
+  }
+
+  /// returns along which direction limbs at a vertex are longer than across it, given by `limb_elongation_map`.
+  Vec3<Scalar> elongation_at(Vertex v) const
+  {
+    const auto given = parameters::get_parameter(np_, Spider::internal_np::limb_elongation_map);
+    const Vec3<Scalar> elongation = to_vec3<Scalar>(get(given, v));
+    const Scalar length = elongation.stableNorm();
+    check_parameter(options.estimator == surface_fit || !(length > 1), "limb_elongation_map", length,
+                    "leave it out with section_fit, whose limbs are all as long");
+    return elongation;
   }
 
   static constexpr bool has_radius_map()

@@ -14,6 +14,7 @@
 #include <CGAL/Spider/internal/Spider_frame.h>
 #include <CGAL/Spider/internal/Spider_samples.h>
 #include <CGAL/Spider/internal/Star.h>
+#include <CGAL/Spider/internal/elongation.h>
 #include <CGAL/Spider/internal/height_field.h>
 #include <CGAL/Spider/internal/least_squares.h>
 
@@ -56,21 +57,24 @@ public:
     });
   }
 
+  /// grows a spider that is shorter across its site's long axis.
+  void grow_in_ellipse(const View& view, const Site<View>& site, const Spider_frame<Scalar>& frame, Scalar radius,
+                       const Options<Scalar>& options)
+  {
+    grow_within(view, site, frame, radius, options, [&](const Lanes<Scalar>& cosines, const Lanes<Scalar>& sines) {
+      return shares_reached(site.shortening, frame, cosines, sines);
+    });
+  }
+
   /// grows a spider that stays within the radius of a point in its local coordinates.
   void grow_in_disc(const View& view, const Site<View>& site, const Spider_frame<Scalar>& frame, Scalar radius,
                     Scalar x, Scalar y, const Options<Scalar>& options)
   {
-    shares_.assign(1, 1);
-    grow_bundles(view, site, frame, radius, options, [&](Limb_bundle<View>& limbs, std::size_t bundle) {
-      auto& all = samples_.back().bundles[bundle];
-      // where the limbs' directions meet the unit circle around the point
-      const Lanes<Scalar> along =
-        directions_.cosines[bundle] * Lanes<Scalar>(x) + directions_.sines[bundle] * Lanes<Scalar>(y);
+    // up to where the limbs' directions meet the unit circle around the point
+    grow_within(view, site, frame, radius, options, [&](const Lanes<Scalar>& cosines, const Lanes<Scalar>& sines) {
+      const Lanes<Scalar> along = cosines * Lanes<Scalar>(x) + sines * Lanes<Scalar>(y);
       const Lanes<Scalar> zero(0), squared = along * along + Lanes<Scalar>(1 - x * x - y * y);
-      const Lanes<Scalar> reach = larger(along + square_root(larger(squared, zero)), zero);
-      limbs.walk_each(reach, [&](const Segments<Scalar>& next) { all.add(next, samples_.back().short_length); });
-      for(int l = 0; l < number_of_lanes; ++l)
-        note_end(limbs, bundle, l, 0, reach[l]);
+      return larger(along + square_root(larger(squared, zero)), zero);
     });
   }
 
@@ -90,6 +94,21 @@ public:
   }
 
 private:
+  /// grows a spider whose limbs reach what `reach_of(cosines, sines)` returns, in units of the radius.
+  template <typename ReachOf>
+  void grow_within(const View& view, const Site<View>& site, const Spider_frame<Scalar>& frame, Scalar radius,
+                   const Options<Scalar>& options, const ReachOf& reach_of)
+  {
+    shares_.assign(1, 1);
+    grow_bundles(view, site, frame, radius, options, [&](Limb_bundle<View>& limbs, std::size_t bundle) {
+      auto& all = samples_.back().bundles[bundle];
+      const Lanes<Scalar> reach = reach_of(directions_.cosines[bundle], directions_.sines[bundle]);
+      limbs.walk_each(reach, [&](const Segments<Scalar>& next) { all.add(next, samples_.back().short_length); });
+      for(int l = 0; l < number_of_lanes; ++l)
+        note_end(limbs, bundle, l, 0, reach[l]);
+    });
+  }
+
   /// fits the samples that there are.
   Height_field_fit<Degree, Scalar> height_field(std::size_t k) const
   {
@@ -130,7 +149,7 @@ private:
     if(lane >= directions_.limbs_in_bundle(bundle))
       return;
     const Scalar reached = limbs.reached(lane) / shares_[k];
-    samples_[k].extent.add(reached, end, limbs.climbs(lane));
+    samples_[k].extent.add(to_reach > 0 ? reached / to_reach : Scalar(0), end, limbs.climbs(lane));
     areas_[k].add(reached, to_reach, end, directions_.cosines[bundle][lane], directions_.sines[bundle][lane]);
   }
 

@@ -6,6 +6,7 @@
 #define CGAL_SPIDER_INTERNAL_SITE_H
 
 #include <CGAL/Spider/Limb_3.h>
+#include <CGAL/Spider/internal/elongation.h>
 #include <CGAL/Spider/internal/numbers.h>
 
 #include <algorithm>
@@ -33,6 +34,9 @@ struct Site
   /// what an attribute of the vertices is interpolated from, and by which weights
   std::array<typename View::Vertex, 3> vertices = {View::null_vertex(), View::null_vertex(), View::null_vertex()};
   std::array<Scalar, 3> weights{};
+  Shortening<Scalar> shortening = Shortening<Scalar>::Zero(); ///< of limbs by their directions
+
+  bool is_elongated() const { return !shortening.isZero(0); }
 };
 
 /// returns why a star ends with an edge.

@@ -51,7 +51,7 @@ public:
   {
     estimates.assign(radii.size(), Estimate<Scalar>());
     if constexpr(Fit::walks_once_for_all_radii)
-      if(!site.rim.empty() && first_normal.allFinite())
+      if(!site.rim.empty() && !site.is_elongated() && first_normal.allFinite())
         estimate_in_one_walk(site, radii, first_normal, estimates);
     for(std::size_t k = 0; k < radii.size(); ++k)
     {

@@ -18,12 +18,13 @@ constexpr int max_polynomial_degree = 4;
 template <typename Scalar>
 struct Spider_extent
 {
-  Scalar reached = 0;      ///< by all limbs together, in units of the radius
+  Scalar reached = 0;      ///< by all limbs together, in units of what each was to reach
   bool is_complete = true; ///< all limbs reached the radius
   int number_of_limbs = 0, number_of_walls = 0;
   bool meets_border = false;
 
-  /// adds a limb. `climbs` tells that it led farther from the tangent plane than along it.
+  /// adds a limb that reached a share of what it was to. `climbs` tells that it led farther from the tangent plane than
+  /// along it.
   void add(Scalar reached_by_limb, Limb_end end, bool climbs = false)
   {
     reached += reached_by_limb;

@@ -18,7 +18,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -34,32 +33,39 @@ constexpr int number_of_adaptive_rungs = 5;
 template <typename Scalar>
 using Local_steps = std::array<Scalar, number_of_adaptive_rungs - 1>;
 
-/// returns how much two estimates at one point differ by, in all directions: with mean curvature alone, it would take
-/// three times as many vertices to tell noise from bias.
-template <typename Scalar>
-Scalar difference(const Estimate<Scalar>& a, const Estimate<Scalar>& b)
-{
-  const auto mean = [](const Estimate<Scalar>& e) { return (e.min_curvature + e.max_curvature) / 2; };
-  const auto deviator = [](const Estimate<Scalar>& e) -> Eigen::Matrix<Scalar, 3, 3> {
-    return (e.max_curvature - e.min_curvature) / 2 * directions_tensor(e);
-  };
-  const Scalar of_means = mean(b) - mean(a); // which counts twice: it is both on the diagonal
-  return std::sqrt(2 * of_means * of_means + (deviator(b) - deviator(a)).squaredNorm());
-}
+/// By what noise adds to it, the square of a difference of tensors is that many times as large as what the variances of
+/// mean curvature differ by: measured on noisy planes and spheres, 2.4 to 3.1 from step to step.
+constexpr int square_of_tensor_by_variance = 3;
 
-/// returns the steps up to the last radius at which there is an estimate that no border spoils.
 template <typename Scalar>
-Local_steps<Scalar> steps_between(const std::vector<Estimate<Scalar>>& estimates, Scalar edge_length)
+using Tensor3 = Eigen::Matrix<Scalar, 3, 3>;
+
+/// A vertex with the curvature tensors at the first rungs, in units of one over the edge length, up to the last radius
+/// at which there is an estimate that no border spoils.
+template <typename Scalar>
+struct Climbed_vertex
 {
-  Local_steps<Scalar> steps;
-  steps.fill(nan<Scalar>());
-  for(std::size_t k = 0; k < steps.size() && !estimates[k].meets_border && !estimates[k + 1].meets_border; ++k)
+  std::uint32_t vertex;
+  Vec3<Scalar> normal;
+  int usable = 0;
+  std::array<Tensor3<Scalar>, number_of_adaptive_rungs> tensors;
+};
+
+template <typename Scalar>
+Climbed_vertex<Scalar> climbed_vertex(std::uint32_t v, const std::vector<Estimate<Scalar>>& estimates,
+                                      Scalar edge_length)
+{
+  Climbed_vertex<Scalar> result{v, estimates[0].normal};
+  for(; result.usable < number_of_adaptive_rungs; ++result.usable)
   {
-    steps[k] = difference(estimates[k], estimates[k + 1]) * edge_length;
-    if(!std::isfinite(steps[k]))
+    const Estimate<Scalar>& e = estimates[result.usable];
+    const Tensor3<Scalar> tensor = edge_length * (e.min_curvature * e.min_direction * e.min_direction.transpose() +
+                                                  e.max_curvature * e.max_direction * e.max_direction.transpose());
+    if(e.meets_border || !tensor.allFinite())
       break;
+    result.tensors[result.usable] = tensor;
   }
-  return steps;
+  return result;
 }
 
 /// returns the ranks of the vertices that climb the ladder: well spread, no two of them have a common neighbour, since
@@ -81,34 +87,46 @@ std::vector<std::uint32_t> climbers(const Ladder& ladder, const Neighbours& neig
   return chosen;
 }
 
-/// returns the squares of the steps, averaged over neighbourhoods, and so scaled that noise alone makes them what the
-/// variances of mean curvature at the two rungs differ by.
+/// returns those of them with two estimates or more.
 template <typename ConcurrencyTag, typename Ladder, typename Scalar>
-std::vector<Local_steps<Scalar>> local_steps(const Ladder& ladder, const Neighbours& neighbours,
-                                             const std::vector<Scalar>& edge_lengths)
+std::vector<Climbed_vertex<Scalar>> climb(const Ladder& ladder, const Neighbours& neighbours,
+                                          const std::vector<Scalar>& edge_lengths)
+{
+  std::vector<Climbed_vertex<Scalar>> climbed;
+  ladder.template climb<ConcurrencyTag>(climbers(ladder, neighbours, edge_lengths), number_of_adaptive_rungs,
+                                        edge_lengths, [&](std::uint32_t v, const auto& estimates) {
+                                          climbed.push_back(climbed_vertex(v, estimates, edge_lengths[v]));
+                                          if(climbed.back().usable < 2)
+                                            climbed.pop_back();
+                                        });
+  return climbed;
+}
+
+/// returns the squares of the steps, averaged over neighbourhoods, and so scaled that noise alone makes them what the
+/// variances of mean curvature at the two rungs differ by. A step is what tensors differ by, in all directions: with
+/// mean curvature alone, it would take three times as many vertices to tell noise from bias.
+template <typename ConcurrencyTag, typename Scalar>
+std::vector<Local_steps<Scalar>> local_steps(const std::vector<Climbed_vertex<Scalar>>& climbed,
+                                             const Neighbours& neighbours, std::size_t number_of_vertices)
 {
   constexpr int rounds = 60; // with fewer, noise that is high by chance passes for bias; with more, scales are mixed
   constexpr int steps = number_of_adaptive_rungs - 1;
   // Means of fourth roots: one fit that is far off, where noise folds the surface, shall not decide for all around it.
-  std::vector<std::array<Scalar, 2 * steps>> sums(edge_lengths.size()); // of these roots, and of their number
-  ladder.template climb<ConcurrencyTag>(climbers(ladder, neighbours, edge_lengths), number_of_adaptive_rungs,
-                                        edge_lengths, [&](std::uint32_t v, const auto& estimates) {
-                                          const Local_steps<Scalar> found = steps_between(estimates, edge_lengths[v]);
-                                          for(int k = 0; k < steps && std::isfinite(found[k]); ++k)
-                                          {
-                                            sums[v][k] = std::sqrt(std::sqrt(found[k]));
-                                            sums[v][steps + k] = 1;
-                                          }
-                                        });
+  std::vector<std::array<Scalar, 2 * steps>> sums(number_of_vertices); // of these roots, and of their number
+  for(const Climbed_vertex<Scalar>& at : climbed)
+    for(int k = 0; k + 1 < at.usable; ++k)
+    {
+      sums[at.vertex][k] = std::sqrt(std::sqrt((at.tensors[k + 1] - at.tensors[k]).norm()));
+      sums[at.vertex][steps + k] = 1;
+    }
   neighbours.average<ConcurrencyTag>(sums, rounds);
 
-  constexpr Scalar by_noise = Scalar(3.0); // measured on noisy planes and spheres: 2.4 to 3.1 from step to step
   std::vector<Local_steps<Scalar>> result(sums.size());
   for(std::size_t v = 0; v < sums.size(); ++v)
     for(int k = 0; k < steps; ++k)
     {
       const Scalar root = sums[v][k] / sums[v][steps + k], typical = std::pow(root, 4);
-      result[v][k] = typical * typical / by_noise;
+      result[v][k] = typical * typical / square_of_tensor_by_variance;
     }
   return result;
 }

@@ -55,12 +55,15 @@ public:
     return fit(view, site, frame, radius, 0);
   }
 
-  /// grows a spider to several radii in ascending order, in one walk. What there is at each, `fit()` and `extent()`
-  /// tell.
+  /// grows a spider to several radii in ascending order, in one walk; one that is elongated, to a single radius. What
+  /// there is at each, `fit()` and `extent()` tell.
   void grow(const View& view, const Site<View>& site, const Spider_frame<Scalar>& frame,
             const std::vector<Scalar>& radii)
   {
-    spider_.grow(view, site, frame, radii, options_);
+    if(site.is_elongated())
+      spider_.grow_in_ellipse(view, site, frame, radii.front(), options_);
+    else
+      spider_.grow(view, site, frame, radii, options_);
   }
 
   /// returns how far the spider got that was grown to the `k`-th radius, in units of that.

@@ -2,16 +2,17 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// A radius for each vertex, where the scale of the shape varies over the mesh. As `Error_balance` does for a whole
+// Limbs for each vertex, where the scale of the shape varies over the mesh. As `Error_balance` does for a whole
 // mesh, it tells bias from noise by the steps between answers of successive radii, here averaged over neighbourhoods.
 // These are few values, so what noise contributes must be known well, and is told by the whole mesh.
 
-#ifndef CGAL_SPIDER_INTERNAL_ADAPTIVE_RADII_H
-#define CGAL_SPIDER_INTERNAL_ADAPTIVE_RADII_H
+#ifndef CGAL_SPIDER_INTERNAL_ADAPTIVE_LIMBS_H
+#define CGAL_SPIDER_INTERNAL_ADAPTIVE_LIMBS_H
 
 #include <CGAL/Spider/internal/Error_balance.h>
 #include <CGAL/Spider/internal/Neighbours.h>
 #include <CGAL/Spider/internal/by_density.h>
+#include <CGAL/Spider/internal/limb_elongations.h>
 #include <CGAL/Spider/internal/local_radii.h>
 #include <CGAL/Spider/internal/local_steps.h>
 
@@ -29,9 +30,9 @@ namespace internal {
 
 /// returns the variance of mean curvature at a rung, but for a factor: as measured on noisy planes.
 template <typename Scalar>
-Scalar variance_by_law(int k)
+Scalar variance_by_law(Scalar k)
 {
-  const Scalar r = rung(Scalar(k)), deviation = 1 / (r * r * r + 6);
+  const Scalar r = rung(k), deviation = 1 / (r * r * r + 6);
   return deviation * deviation;
 }
 
@@ -45,7 +46,7 @@ Table_by_density<Scalar> noise_by_density(const std::vector<Local_steps<Scalar>>
   std::vector<std::pair<Scalar, Scalar>> found; // the edges' length at each vertex, and noise
   for(std::size_t v = 0; v < steps.size(); ++v)
     if(const Scalar l = edge_lengths[v]; l > 0 && std::isfinite(steps[v][0]))
-      found.emplace_back(l, steps[v][0] / (variance_by_law<Scalar>(0) - variance_by_law<Scalar>(1)) * l * l);
+      found.emplace_back(l, steps[v][0] / (variance_by_law(Scalar(0)) - variance_by_law(Scalar(1))) * l * l);
   std::sort(found.begin(), found.end());
   std::vector<Scalar> lengths, variances;
   for(const auto& [length, variance] : found)
@@ -86,7 +87,7 @@ std::optional<Scalar> local_rung(const Local_steps<Scalar>& steps, Scalar noise)
   // If later steps show none, there is hardly any in this one, unless waves have vanished already.
   std::array<Scalar, number_of_adaptive_rungs> variances, biased{};
   for(int k = 0; k <= n; ++k)
-    variances[k] = noise * variance_by_law<Scalar>(k);
+    variances[k] = noise * variance_by_law(Scalar(k));
   const auto excess = [&](int k, Scalar tolerance) {
     return std::sqrt(std::max(Scalar(0), steps[k] - tolerance * (variances[k] - variances[k + 1])));
   };
@@ -108,32 +109,65 @@ std::optional<Scalar> local_rung(const Local_steps<Scalar>& steps, Scalar noise)
   return least_between(errors, n + 1);
 }
 
-/// returns a radius for each vertex; NaN where there are no edges of finite, positive length.
+/// returns how large the difference of tensors is that noise makes between a rung and the one that `blurring_at()`
+/// compares it with.
+template <typename Scalar>
+Scalar size_of_noise(Scalar noise, Scalar rung)
+{
+  const Scalar variances = noise * (variance_by_law(rung) - variance_by_law(rung + rungs_apart));
+  return std::sqrt(square_of_tensor_by_variance * std::max(Scalar(0), variances));
+}
+
+/// Limbs near each vertex.
+template <typename Scalar>
+struct Adaptive_limbs
+{
+  std::vector<Scalar> radii;             ///< NaN where there are no edges of finite, positive length
+  std::vector<Vec3<Scalar>> elongations; ///< where they are asked for: see `elongation_of()`
+};
+
 template <typename ConcurrencyTag, typename Ladder>
-std::vector<typename Ladder::Scalar> adaptive_radii(const Ladder& ladder, typename Ladder::Scalar undecided_in_edges)
+Adaptive_limbs<typename Ladder::Scalar> adaptive_limbs(const Ladder& ladder, typename Ladder::Scalar undecided_in_edges,
+                                                       bool elongate)
 {
   using Scalar = typename Ladder::Scalar;
   constexpr int rounds = 10; // so that the radius varies as slowly as limbs need it
   const Neighbours neighbours(ladder.mesh());
   const std::vector<Scalar> edge_lengths = local_edge_lengths(ladder.mesh());
-  const auto steps = local_steps<ConcurrencyTag>(ladder, neighbours, edge_lengths);
+  const auto climbed = climb<ConcurrencyTag>(ladder, neighbours, edge_lengths);
+  const auto steps = local_steps<ConcurrencyTag>(climbed, neighbours, edge_lengths.size());
   const auto noise = noise_by_density(steps, edge_lengths);
+  const auto noise_at = [&](std::size_t v) {
+    return noise.empty() ? Scalar(0) : noise(edge_lengths[v]) / (edge_lengths[v] * edge_lengths[v]);
+  };
 
-  std::vector<std::array<Scalar, 2>> rungs(steps.size()); // and whether there is one
+  std::vector<std::array<Scalar, 2>> sums(steps.size()); // of rungs, and whether there is one
   for(std::size_t v = 0; v < steps.size(); ++v)
-    if(const Scalar l = edge_lengths[v]; l > 0)
-      if(const auto best = local_rung(steps[v], noise.empty() ? Scalar(0) : noise(l) / (l * l)))
-        rungs[v] = {*best, Scalar(1)};
-  neighbours.average<ConcurrencyTag>(rungs, rounds);
+    if(edge_lengths[v] > 0)
+      if(const auto best = local_rung(steps[v], noise_at(v)))
+        sums[v] = {*best, Scalar(1)};
+  neighbours.average<ConcurrencyTag>(sums, rounds);
 
-  std::vector<Scalar> radii(steps.size());
+  std::vector<Scalar> rungs, sizes_of_noise;
+  Adaptive_limbs<Scalar> limbs;
   for(std::size_t v = 0; v < steps.size(); ++v)
-    radii[v] = edge_lengths[v] * (rungs[v][1] > 0 ? rung(rungs[v][0] / rungs[v][1]) : undecided_in_edges);
-  return radii;
+  {
+    const bool is_decided = sums[v][1] > 0;
+    rungs.push_back(is_decided ? sums[v][0] / sums[v][1] : Scalar(0));
+    sizes_of_noise.push_back(size_of_noise(noise_at(v), rungs[v]));
+    limbs.radii.push_back(edge_lengths[v] * (is_decided ? rung(rungs[v]) : undecided_in_edges));
+  }
+  if(elongate)
+  {
+    limbs.elongations = limb_elongations<ConcurrencyTag>(climbed, neighbours, rungs, sizes_of_noise);
+    for(std::size_t v = 0; v < steps.size(); ++v) // to ellipses of the same area
+      limbs.radii[v] *= std::sqrt(std::max(Scalar(1), limbs.elongations[v].norm()));
+  }
+  return limbs;
 }
 
 } // namespace internal
 } // namespace Spider
 } // namespace CGAL
 
-#endif // CGAL_SPIDER_INTERNAL_ADAPTIVE_RADII_H
+#endif // CGAL_SPIDER_INTERNAL_ADAPTIVE_LIMBS_H
