@@ -29,6 +29,7 @@ inline Estimators all_estimators()
   all.push_back(spider(4));
   all.push_back(spider_at_suggested_radius());
   all.push_back(spider_at_adaptive_radii());
+  all.push_back(std::make_unique<Spider_with_adaptive_limbs>());
   all.push_back(spider_as_published());
   all.push_back(std::make_unique<Jet_fitting>(2, Jet_fitting::Neighbourhood::rings));
   all.push_back(std::make_unique<Jet_fitting>(2, Jet_fitting::Neighbourhood::ball));

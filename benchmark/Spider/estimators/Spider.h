@@ -117,6 +117,29 @@ inline std::unique_ptr<Estimator> spider_at_adaptive_radii()
   });
 }
 
+class Spider_with_adaptive_limbs : public Estimator
+{
+public:
+  std::string name() const override { return "spider_adaptive_limbs"; }
+  std::string settings() const override
+  {
+    return "Spider's surface_fit with the library's defaults, radii and elongations as suggest_adaptive_radii() "
+           "suggests";
+  }
+  bool uses_radius() const override { return false; }
+
+  void estimate(const Mesh& mesh, double, std::vector<Estimate>& out) const override
+  {
+    std::vector<double> radii(mesh.num_vertices());
+    std::vector<Kernel::Vector_3> elongations(mesh.num_vertices());
+    const auto index = get(boost::vertex_index, mesh);
+    const auto radius_map = boost::make_iterator_property_map(radii.begin(), index);
+    const auto elongation_map = boost::make_iterator_property_map(elongations.begin(), index);
+    suggest_adaptive_radii(mesh, radius_map, parameters::limb_elongation_map(elongation_map));
+    estimate_by_spider(mesh, parameters::geodesic_radius(radius_map).limb_elongation_map(elongation_map), out);
+  }
+};
+
 inline std::unique_ptr<Estimator> spider_as_published()
 {
   return make_spider("spider_published",

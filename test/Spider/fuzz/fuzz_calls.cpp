@@ -177,6 +177,20 @@ void suggest_radius(const Mesh& mesh, const Settings& settings)
   Spider::suggest_adaptive_radii(copy, radii, settings.few());
   for(Mesh::Vertex_index v : copy.vertices())
     expect(std::isnan(radii[v]) || radii[v] > 0, "an adaptive radius is positive, or NaN");
+
+  const auto elongations = copy.add_property_map<Mesh::Vertex_index, Kernel::Vector_3>("v:elongation").first;
+  Spider::suggest_adaptive_radii(copy, radii, Spider::parameters::limb_elongation_map(elongations));
+  for(Mesh::Vertex_index v : copy.vertices())
+  {
+    const double length = std::sqrt(elongations[v].squared_length());
+    expect(length == 0 || (length >= 1 - rounding && length <= 2 + rounding), "limbs are once to twice as long");
+  }
+}
+
+/// has limbs of all radii along anything.
+void estimate_elongated(const Mesh& mesh, const Settings& settings)
+{
+  estimate_all(mesh, Spider::parameters::geodesic_radius(settings.radius).limb_elongation_map(settings.normals));
 }
 
 template <typename NamedParameters>
@@ -211,7 +225,12 @@ void call_on_whole_mesh(const Mesh& mesh, const Settings& settings, Random& rand
       if(random.one_in(8))
         suggest_radius(mesh, settings);
       break;
-    case 1: estimate_all(mesh, settings.few()); break;
+    case 1:
+      if(random.one_in(2))
+        estimate_all(mesh, settings.few());
+      else
+        estimate_elongated(mesh, settings);
+      break;
     case 2: estimate_all(mesh, settings.by_maps()); break;
     case 3: estimate_all(mesh, settings.all()); break;
     case 4: label(mesh, settings, random); break;
