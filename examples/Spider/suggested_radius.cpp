@@ -7,10 +7,12 @@
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Spider/estimate_vertex_curvatures.h>
+#include <CGAL/Spider/suggest_adaptive_radii.h>
 #include <CGAL/Spider/suggest_geodesic_radius.h>
 #include <CGAL/Surface_mesh.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdlib>
 #include <iostream>
@@ -53,6 +55,19 @@ int main(int argc, char* argv[])
     std::minmax_element(mesh.vertices().begin(), mesh.vertices().end(),
                         [&](Mesh::Vertex_index v, Mesh::Vertex_index w) { return radii[v] < radii[w]; });
   std::cout << "one for each vertex: from " << radii[*least] << " to " << radii[*greatest] << '\n';
+
+  // Where the surface bends at a small scale in some places, and in one direction more than in the other, so may limbs.
+  //! [limbs]
+  auto elongations = mesh.add_property_map<Mesh::Vertex_index, Kernel::Vector_3>("v:elongation").first;
+  const auto by_direction = params::limb_elongation_map(elongations);
+  CGAL::Spider::suggest_adaptive_radii<CGAL::Parallel_if_available_tag>(mesh, radii, by_direction);
+  CGAL::Spider::estimate_vertex_curvatures<CGAL::Parallel_if_available_tag>(mesh, curvature,
+                                                                            by_direction.geodesic_radius(radii));
+  //! [limbs]
+  double longest = 0;
+  for(Mesh::Vertex_index v : mesh.vertices())
+    longest = std::max(longest, std::sqrt(elongations[v].squared_length()));
+  std::cout << "limbs up to " << longest << " times as long along something as across\n";
 
   // What is there at several scales takes one walk.
   //! [several radii]
