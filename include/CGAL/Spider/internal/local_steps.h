@@ -45,8 +45,8 @@ using Tensor3 = Eigen::Matrix<Scalar, 3, 3>;
 template <typename Scalar>
 struct Climbed_vertex
 {
-  std::uint32_t vertex;
-  Vec3<Scalar> normal;
+  std::uint32_t vertex = 0;
+  Vec3<Scalar> normal = nan_vec3<Scalar>();
   int usable = 0;
   std::array<Tensor3<Scalar>, number_of_adaptive_rungs> tensors;
 };
@@ -55,7 +55,9 @@ template <typename Scalar>
 Climbed_vertex<Scalar> climbed_vertex(std::uint32_t v, const std::vector<Estimate<Scalar>>& estimates,
                                       Scalar edge_length)
 {
-  Climbed_vertex<Scalar> result{v, estimates[0].normal};
+  Climbed_vertex<Scalar> result;
+  result.vertex = v;
+  result.normal = estimates[0].normal;
   for(; result.usable < number_of_adaptive_rungs; ++result.usable)
   {
     const Estimate<Scalar>& e = estimates[result.usable];
