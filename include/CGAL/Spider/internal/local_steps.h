@@ -34,7 +34,7 @@ template <typename Scalar>
 using Local_steps = std::array<Scalar, number_of_adaptive_rungs - 1>;
 
 /// By what noise adds to it, the square of a difference of tensors is that many times as large as what the variances of
-/// mean curvature differ by: measured on noisy planes and spheres, 2.4 to 3.1 from step to step.
+/// mean curvature differ by: measured on noisy planes and spheres.
 constexpr int square_of_tensor_by_variance = 3;
 
 template <typename Scalar>
