@@ -225,13 +225,6 @@ private:
     auto& adaptive = answer("suggest_adaptive_radii");
     for(Vertex v : vertices_)
       add(adaptive, radii[v]);
-    std::map<Vertex, Vector_3> elongations;
-    const auto elongation_map = boost::make_assoc_property_map(elongations);
-    Spider::suggest_adaptive_radii(mesh_, boost::make_assoc_property_map(radii),
-                                   params::limb_elongation_map(elongation_map));
-    auto& limbs = answer("limb_elongation_map");
-    for(Vertex v : vertices_)
-      add(limbs, radii[v]);
   }
 
   void smooth()
