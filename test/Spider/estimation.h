@@ -129,6 +129,17 @@ inline double angle(const Vector& a, const Vector& b) { return std::atan2(a.cros
 /// returns the angle between two lines.
 inline double angle_of_lines(const Vector& a, const Vector& b) { return std::min(angle(a, b), angle(a, -b)); }
 
+/// to the last bit
+inline void expect_same(const Estimate& a, const Estimate& b)
+{
+  EXPECT_EQ(a.status, b.status);
+  EXPECT_EQ(a.coverage, b.coverage);
+  EXPECT_EQ(a.min_curvature, b.min_curvature);
+  EXPECT_EQ(a.max_curvature, b.max_curvature);
+  EXPECT_EQ(a.residual, b.residual);
+  EXPECT_EQ(a.normal, b.normal);
+}
+
 /// expects two estimates to be the same up to rounding; `tolerance` is relative to the larger curvature, and absolute
 /// for what has no unit.
 inline void expect_same(const Estimate& a, const Estimate& b, double tolerance)

@@ -29,16 +29,6 @@ std::vector<Estimates> all_estimates(const Mesh& mesh, const NamedParameters& np
   return result;
 }
 
-void expect_same(const Estimate& a, const Estimate& b)
-{
-  EXPECT_EQ(a.status, b.status);
-  EXPECT_EQ(a.coverage, b.coverage);
-  EXPECT_EQ(a.min_curvature, b.min_curvature);
-  EXPECT_EQ(a.max_curvature, b.max_curvature);
-  EXPECT_EQ(a.residual, b.residual);
-  EXPECT_EQ(a.normal, b.normal);
-}
-
 /// returns the root mean square error of mean curvature on a sphere of radius 1.
 double error_on_sphere(const Estimates& estimates)
 {
