@@ -50,8 +50,8 @@ Vec3<Scalar> elongation_of(const Tensor3<Scalar>& blurring, const Vec3<Scalar>& 
 {
   constexpr Scalar longest = 2; // much longer ones gain on some shapes what they lose on others
   // What noise adds differs by direction, too: by chance, and where edges are longer in one. Both shall not pass for a
-  // ridge. With these, errors are up to 3 % greater than with discs on a noisy sphere, and up to 11 % on a torus of
-  // edges 1 : 3. Without, it would be up to 8 and 30 %; but on shapes of mixed scale, where they are 5 % less than with
+  // ridge. With these, errors are up to 2 % greater than with discs on a noisy sphere, and up to 10 % on a torus of
+  // edges 1 : 3. Without, it would be up to 14 and 42 %; but on shapes of mixed scale, where they are 6 % less than with
   // discs, they would be 7 % less.
   constexpr Scalar by_chance = Scalar(1.5), share_of_noise = Scalar(0.1);
   constexpr Scalar rounding = Scalar(1e-9); // a surface that bends by less per edge is a plane
